@@ -56,8 +56,8 @@ pub struct SolveAnswer {
     /// The proved lower bound of each cost of the objective reached so far.
     #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
-    /// The makespan up to which the claim was proved; `null` where it holds
-    /// whatever the horizon.
+    /// The makespan up to which claim and bounds were proved; `null` where they hold for every
+    /// horizon, or where nothing is claimed (`complete` says which).
     pub within: Option<u32>,
     /// Whether the claim holds whatever the horizon.
     pub complete: bool,

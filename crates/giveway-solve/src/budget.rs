@@ -13,7 +13,7 @@ use giveway_model::Cost;
 use giveway_planners::budget as planners;
 
 use crate::{
-    Host, Limits, Progress, Stats,
+    Host, Limits, Progress, Stats, Thresholds,
     trace::{Names, Recorder, SearchEvent, SearchTrace},
 };
 
@@ -32,6 +32,7 @@ const PART_JOINT_STEPS: u64 = 2_000_000;
 pub(crate) struct Budget<'h> {
     host: &'h dyn Host,
     limits: Limits,
+    thresholds: Thresholds,
     wall_start: f64,
     cpu_start: f64,
     memory_start: u64,
@@ -63,6 +64,7 @@ impl<'h> Budget<'h> {
         Self {
             host,
             limits,
+            thresholds: host.thresholds(),
             wall_start: host.wall_seconds(),
             cpu_start: host.cpu_seconds(),
             memory_start: host.memory_bytes(),
@@ -102,6 +104,8 @@ impl<'h> Budget<'h> {
             },
         );
         part.quiet = true;
+        part.held = Rc::clone(&self.held);
+        part.most_clauses = self.clauses_left();
         part.recorder.clone_from(&self.recorder);
         part.most_derived = self.most_derived.saturating_sub(self.derived.get());
         part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
@@ -141,7 +145,7 @@ impl<'h> Budget<'h> {
 
     /// The same budget with a limit of clauses, and one of joint steps.
     pub(crate) fn with_work(mut self, clauses: u64, joint_steps: u64) -> Self {
-        self.most_clauses = clauses;
+        self.most_clauses = self.most_clauses.min(clauses);
         self.joint_given = self.joint_given.min(joint_steps);
         self.joint_left.set(self.joint_given);
         self
@@ -231,6 +235,17 @@ impl<'h> Budget<'h> {
     /// the search paces itself.
     pub(crate) fn derived(&self) -> u64 {
         self.derived.get()
+    }
+
+    /// Whether the search runs on the second SAT solver.
+    #[cfg(test)]
+    pub(crate) fn uses_second_solver(&self) -> bool {
+        self.host.uses_second_solver()
+    }
+
+    /// The pace of the search.
+    pub(crate) const fn thresholds(&self) -> &Thresholds {
+        &self.thresholds
     }
 
     /// Tells the host that something became known.
@@ -361,7 +376,7 @@ impl<'h> Budget<'h> {
         if self.work.spend(states) {
             return self.check();
         }
-        Ok(())
+        self.stopped.get().map_or(Ok(()), Err)
     }
 
     /// Counts further memory of something, in bytes.
@@ -385,5 +400,39 @@ impl planners::Budget for Budget<'_> {
 
     fn held_bytes(&self) -> &HeldBytes {
         &self.held
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SilentHost;
+
+    #[test]
+    fn a_part_counts_the_memory_and_the_clauses_of_the_whole() {
+        let limits = Limits {
+            memory_bytes: Some(1_000),
+            ..Limits::default()
+        };
+        let whole = Budget::new(&SilentHost, limits).with_clauses(2);
+        let mut held = Held::default();
+        whole.hold_more(&mut held, 900);
+        whole.count_clause();
+        let part = whole.part(Limits::default());
+        assert_eq!(part.clauses_left(), 1);
+        assert_eq!(part.check(), Ok(()));
+        let mut more = Held::default();
+        part.hold_more(&mut more, 200);
+        assert_eq!(part.check(), Err(Stop::Memory));
+        assert_eq!(whole.check(), Err(Stop::Memory));
+    }
+
+    #[test]
+    fn after_a_stop_no_state_is_looked_at() {
+        let budget = Budget::new(&SilentHost, Limits::default()).with_clauses(0);
+        assert_eq!(budget.tick(), Ok(()));
+        budget.count_clause();
+        assert_eq!(budget.check(), Err(Stop::Conflicts));
+        assert_eq!(budget.tick(), Err(Stop::Conflicts));
     }
 }

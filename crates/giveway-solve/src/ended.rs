@@ -27,6 +27,8 @@ pub enum Ended {
     Size,
     /// A fault of this program, which it noticed.
     Fault,
+    /// The search came to its end, but the scene leaves out what may change that.
+    Assumptions,
 }
 
 impl Ended {
@@ -34,7 +36,12 @@ impl Ended {
     /// end a search wherever it happens to be.
     pub const fn is_repeatable(self) -> bool {
         match self {
-            Self::Proof | Self::Work | Self::Conflicts | Self::Size | Self::Fault => true,
+            Self::Proof
+            | Self::Work
+            | Self::Conflicts
+            | Self::Size
+            | Self::Fault
+            | Self::Assumptions => true,
             Self::Time | Self::Memory | Self::Cancelled => false,
         }
     }
@@ -52,7 +59,7 @@ impl From<Stop> for Ended {
             Stop::Conflicts => Self::Conflicts,
             Stop::Work => Self::Work,
             Stop::Memory => Self::Memory,
-            Stop::Sets => Self::Size,
+            Stop::Sets | Stop::LateTimes => Self::Size,
             Stop::Cancelled => Self::Cancelled,
             Stop::Contradiction => Self::Fault,
         }

@@ -1,6 +1,6 @@
 //! What a front lends to the solver: a clock, an ear, and a way to say stop.
 
-use crate::Progress;
+use crate::{Progress, Thresholds};
 
 /// The surroundings of one request.
 ///
@@ -26,6 +26,17 @@ pub trait Host {
     /// grow beyond its memory limit is stopped.
     fn memory_bytes(&self) -> u64 {
         0
+    }
+
+    /// The pace of the search.
+    fn thresholds(&self) -> Thresholds {
+        Thresholds::default()
+    }
+
+    /// Whether the search runs on the second SAT solver, to be compared.
+    #[cfg(test)]
+    fn uses_second_solver(&self) -> bool {
+        false
     }
 
     /// Something became known. Called at most a few hundred times a second.

@@ -1,5 +1,5 @@
 //! What a search found, once its plan was judged: the status, and how far the
-//! claim reaches. The one place where a status is said.
+//! claim reaches.
 
 use giveway_model::{Costs, Plan};
 

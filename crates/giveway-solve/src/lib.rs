@@ -6,17 +6,18 @@
 //! in a [`Host`].
 
 mod answer;
+mod assumed;
 pub mod audit;
 mod budget;
 mod calmed;
 mod certify;
 pub mod change;
-mod counterfactual;
 mod encode;
 mod ended;
 pub mod explain;
 pub mod freedom;
 mod host;
+mod impose;
 mod joint;
 mod judged;
 mod pareto;
@@ -30,6 +31,7 @@ pub mod service;
 mod solve;
 #[cfg(test)]
 mod tests;
+mod thresholds;
 pub mod together;
 pub mod trace;
 mod verify;
@@ -44,6 +46,7 @@ pub use host::{Host, SilentHost};
 pub use progress::Progress;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
 pub use service::{Refusal, Response, serve, serve_basic};
+pub use thresholds::Thresholds;
 pub use verify::verify;
 
 /// The examples of the README are tests.

@@ -1,18 +1,16 @@
-//! An instance as the search sees it: what planners know, and what a question asks
-//! for between agents.
+//! An instance as the search sees it: what planners know, and conditions between
+//! agents.
 
 use std::collections::BTreeSet;
 use std::ops::{Deref, DerefMut};
 
-use giveway_model::{Instance, sorting::set};
+use giveway_model::{Condition, Instance, sorting::set};
 use giveway_planners::problem as planners;
 
 use crate::{
     budget::{Budget, Stop},
-    counterfactual::{Counterfactual, Precedence},
-    search::ForEver,
-    single::{Task, TaskConstraint},
-    terrain::Terrain,
+    impose::{Precedence, Unmeetable, impose},
+    single::{Bounds, Hopeless},
     walk::{Walk, costs_of},
 };
 
@@ -21,8 +19,8 @@ pub(crate) use giveway_planners::problem::Relaxed;
 /// Everything that is known of an instance before agents meet.
 pub(crate) struct Problem {
     planners: planners::Problem,
-    /// Who must be at a vertex before whom, where a question asks for it.
-    pub(crate) precedence: Option<Precedence>,
+    /// Which agents must be at a vertex before others, where conditions ask for it.
+    pub(crate) precedences: Vec<Precedence>,
 }
 
 impl Deref for Problem {
@@ -39,11 +37,19 @@ impl DerefMut for Problem {
     }
 }
 
+/// The proof that an agent has no plan even alone, whatever the horizon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum HopelessAlone {
+    /// It cannot do its task.
+    Task(Hopeless),
+    /// It cannot meet a condition.
+    Condition(Unmeetable),
+}
+
 /// Why an instance has no [`Problem`].
 pub(crate) enum ProblemError {
-    /// This agent cannot do its task, or what a question asks of it, even alone;
-    /// and why that holds whatever the horizon.
-    Alone(usize, ForEver),
+    /// This agent cannot do its task, or what a question asks of it, even alone.
+    Alone(usize, HopelessAlone),
     /// This agent has more waypoints than the exact tables can bear.
     TooManyWaypoints(usize),
     /// The budget was spent.
@@ -53,7 +59,9 @@ pub(crate) enum ProblemError {
 impl From<planners::ProblemError> for ProblemError {
     fn from(error: planners::ProblemError) -> Self {
         match error {
-            planners::ProblemError::Alone(agent, hopeless) => Self::Alone(agent, hopeless.into()),
+            planners::ProblemError::Alone(agent, hopeless) => {
+                Self::Alone(agent, HopelessAlone::Task(hopeless))
+            }
             planners::ProblemError::TooManyWaypoints(agent) => Self::TooManyWaypoints(agent),
             planners::ProblemError::Stopped(stop) => Self::Stopped(stop),
         }
@@ -71,63 +79,59 @@ impl Problem {
         Self::relaxed(instance, Relaxed::default(), None, budget)
     }
 
-    /// The same with some rules between agents left out, and with what a
-    /// question asks for.
-    pub(crate) fn relaxed(
+    /// The same with some rules between agents left out, and with conditions.
+    pub(crate) fn relaxed<'a>(
         instance: &Instance,
         relaxed: Relaxed,
-        condition: Option<&Counterfactual>,
+        conditions: impl IntoIterator<Item = &'a Condition>,
         budget: &Budget,
     ) -> Result<Self, ProblemError> {
         let mut problem = Self {
             planners: planners::Problem::relaxed(instance, relaxed, budget)?,
-            precedence: None,
+            precedences: Vec::new(),
         };
-        if let Some(condition) = condition {
-            condition.impose(instance, &mut problem, budget)?;
+        for condition in conditions {
+            impose(condition, instance, &mut problem, budget)?;
         }
         Ok(problem)
     }
 
-    /// A problem of tasks over a terrain, none of them asked for more.
-    pub(crate) fn of_tasks(
-        terrain: Terrain,
-        stays: bool,
-        tasks: Vec<Task>,
+    /// The same with bounds on where the agents may go, in their order.
+    pub(crate) fn bounded(
+        instance: &Instance,
+        bounds: Vec<Bounds>,
         budget: &Budget,
     ) -> Result<Self, ProblemError> {
+        let relaxed = Relaxed::default();
         Ok(Self {
-            planners: planners::Problem::of_tasks(terrain, stays, tasks, budget)?,
-            precedence: None,
+            planners: planners::Problem::bounded(instance, relaxed, bounds, budget)?,
+            precedences: Vec::new(),
         })
     }
 
     /// Agents that the SAT solver has to plan, since plans made outside of it
     /// keep to what is asked for by chance only.
     pub(crate) fn insiders(&self) -> BTreeSet<usize> {
-        let demands = self.tasks.iter().map(|task| task.demand.as_ref());
-        let mut agents = set(demands
-            .enumerate()
-            .filter(|(_, demand)| demand.is_some_and(TaskConstraint::counts))
-            .map(|(agent, _)| agent));
-        if let Some(Precedence { first, second, .. }) = self.precedence {
-            agents.extend([first, second]);
-        }
-        agents
+        let tasks = self.tasks.iter().enumerate();
+        let counted = tasks.filter(|(_, task)| task.conditions.needs_solver());
+        let ordered = self.precedences.iter();
+        let ordered = ordered.flat_map(|order| [order.first.0, order.second.0]);
+        set(counted.map(|(agent, _)| agent).chain(ordered))
     }
 
-    /// Whether a question asks for anything beside the rules.
-    pub(crate) fn is_asked(&self) -> bool {
-        self.precedence.is_some() || self.tasks.iter().any(|task| task.demand.is_some())
+    /// Whether there are conditions beside the rules.
+    pub(crate) fn has_conditions(&self) -> bool {
+        let mut tasks = self.tasks.iter();
+        !self.precedences.is_empty() || tasks.any(|task| !task.conditions.is_empty())
     }
 
-    /// Whether walks keep to what is asked for beside the rules, as far as
+    /// Whether walks keep to the conditions beside the rules, as far as
     /// walks made outside the SAT solver may fail to.
     pub(crate) fn keeps(&self, walks: &[Walk]) -> bool {
         let alone = walks.iter().enumerate().all(|(agent, walk)| {
             let charges = costs_of(self, agent, walk).charges;
             self.keeps_alone(agent, walk, charges)
         });
-        alone && self.precedence.is_none_or(|p| p.is_kept(walks))
+        alone && self.precedences.iter().all(|order| order.is_kept(walks))
     }
 }

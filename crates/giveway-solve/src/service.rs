@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Basic, CheckAnswer, CheckRequest, ExportAnswer, FrontAnswer, Host, Request, SolveAnswer,
-    SolveRequest,
+    SolveRequest, assumed,
     audit::{self, AuditAnswer},
     budget::Budget,
     certify::{certify, export},
@@ -134,6 +134,12 @@ impl Refusal {
 /// proof, a limit of work or a limit of conflicts ends it. Where seconds, memory or the host
 /// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
+    if let Err(refusal) = request
+        .claimed_scene()
+        .map_or(Ok(()), assumed::refuse_moving)
+    {
+        return Response::Refused(refusal);
+    }
     match request {
         Request::Check(request) => serve_check(request),
         Request::Solve(request) => serve_solve(request, host),
@@ -157,7 +163,9 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Ok(answer) => Response::Planned(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
-        Request::Freedom(request) => match freedom::serve(request, host) {
+        Request::Freedom(request) => match assumed::refuse_goalless(&request.scene)
+            .and_then(|()| freedom::serve(request, host))
+        {
             Ok(answer) => Response::Freedom(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
@@ -174,7 +182,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
 pub fn serve_basic(request: Basic<'_>, host: &dyn Host) -> Response {
     match request {
         Basic::Solve(request) => serve_best(request, host),
-        Basic::Change(request) => serve_change(request, host),
+        Basic::Change(request) => match assumed::refuse_moving(&request.scene) {
+            Ok(()) => serve_change(request, host),
+            Err(refusal) => Response::Refused(refusal),
+        },
     }
 }
 
@@ -188,14 +199,20 @@ fn serve_solve(request: &SolveRequest, host: &dyn Host) -> Response {
 
 fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
     match task(request, host) {
-        Ok(task) => Response::Solved(solve::solve(&task).answer),
+        Ok((task, instance)) => {
+            let mut answer = solve::solve(&task).answer;
+            let objective = &task.objective;
+            assumed::weaken((&instance, objective), request.start.as_ref(), &mut answer);
+            Response::Solved(answer)
+        }
         Err(refusal) => Response::Refused(refusal),
     }
 }
 
 fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
-    let task = match task(request, host) {
-        Ok(task) => task,
+    let tasked = assumed::refuse_moving(&request.scene).and_then(|()| task(request, host));
+    let (task, instance) = match tasked {
+        Ok(tasked) => tasked,
         Err(refusal) => return Response::Refused(refusal),
     };
     let costs = task.objective.costs().len();
@@ -207,24 +224,28 @@ fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
         );
         return Response::Refused(Refusal::Request { fault });
     }
-    Response::Front(pareto::front(&task))
+    let mut answer = pareto::front(&task);
+    assumed::weaken_front((&instance, &task.objective), &mut answer);
+    Response::Front(answer)
 }
 
-fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<Task<'a>, Refusal> {
+/// The task of a request, for the instance without obstacles that move; and the instance.
+fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<(Task<'a>, Instance), Refusal> {
     let instance =
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let objective = request.objective.clone();
-    let mut task = Task::new(instance, objective, request.within, request.limits, host);
+    let relaxed = instance.clone().without_moving_obstacles();
+    let mut task = Task::new(relaxed, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
     task.as_found = request.as_found;
     if !request.trace {
-        return Ok(task);
+        return Ok((task, instance));
     }
     if request.pareto {
         let fault = Fault::at("trace", "true with \"pareto\"", "the trace of one search");
         return Err(Refusal::Request { fault });
     }
-    Ok(task.traced(Budget::new(host, request.limits)))
+    Ok((task.traced(Budget::new(host, request.limits)), instance))
 }
 
 fn serve_change(request: &ChangeRequest, host: &dyn Host) -> Response {

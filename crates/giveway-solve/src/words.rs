@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use giveway_model::words::{name, retold, sentence, value, values};
-use giveway_model::{Cost, Costs, Objective, tr, tr_later};
+use giveway_model::{Assumption, Cost, Costs, Objective, tr, tr_later};
 
 use crate::{Ended, SolveAnswer, Status};
 
@@ -53,12 +53,19 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
             say(tr!("an answer" => "Optimal"), rest)
         }
         Status::Feasible => {
-            let costs = with_bounds(objective, &costs, &answer.bounds);
+            let is_assumed = answer.ended == Some(Ended::Assumptions);
+            let costs = if is_assumed {
+                values(objective.costs(), &costs)
+            } else {
+                with_bounds(objective, &costs, &answer.bounds)
+            };
             let reason = reason.map_or_else(String::new, |reason| format!(" {reason}"));
-            say(
-                tr!("an answer" => "Best so far"),
-                format!(": {costs}.{reason}"),
-            )
+            let word = if is_assumed {
+                tr!("an answer" => "Not proved")
+            } else {
+                tr!("an answer" => "Best so far")
+            };
+            say(word, format!(": {costs}.{reason}"))
         }
         Status::Impossible => {
             let reason = reason.map_or_else(|| ".".to_owned(), |reason| format!(": {reason}"));
@@ -89,12 +96,15 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
 
 /// What the solver gives as a reason, each in its sentence: it speaks English, wherever
 /// it runs, and what it said is said anew where it is shown.
-const REASONS: [Later; 30] = [
+const REASONS: [Later; 41] = [
     tr_later!("The time limit was reached."),
     tr_later!("The conflict limit was reached."),
     tr_later!("The work limit was reached."),
-    tr_later!("The memory limit was reached."),
+    tr_later!("The memory limit was reached. Fewer robots or a smaller map need less."),
     tr_later!("There were too many sets of robots to free to compare them all."),
+    tr_later!(
+        "This asks about a time after 20,000, which is later than the search looks at step by step."
+    ),
     tr_later!("The search was cancelled."),
     tr_later!("A plan and a bound contradicted each other, which is a fault of this program."),
     tr_later!("What has already happened takes longer than that."),
@@ -118,6 +128,30 @@ const REASONS: [Later; 30] = [
         "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold."
     ),
     tr_later!("{robots} block each other: they cannot all stay in their tunnels."),
+    tr_later!("Plans that cost less were found only without the obstacles that move."),
+    tr_later!(
+        "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more."
+    ),
+    tr_later!(
+        "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
+    ),
+    tr_later!(
+        "Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too."
+    ),
+    tr_later!(
+        "Rules of the file's problem are left out of the search, so it is open whether a plan that keeps them costs as little as the bound."
+    ),
+    tr_later!(
+        "There is no plan for the goals that were chosen here. Another choice that the file allows may have one."
+    ),
+    tr_later!("The file leaves goals open: what a legal plan costs depends on which are chosen."),
+    tr_later!(
+        "The file has keys that are not heeded and may change the problem: {keys}. Whatever is said here is said for the scene without them."
+    ),
+    tr_later!("{agent} is at {cell} at time {time}, where the moving obstacle {obstacle} is."),
+    tr_later!(
+        "{agent} and the moving obstacle {obstacle} exchange {from} and {to} from time {time} to {next}."
+    ),
     tr_later!("on its old path"),
     tr_later!("in its tunnel"),
     tr_later!("on any path"),
@@ -133,6 +167,16 @@ pub fn reason(given: &str) -> String {
 
 /// How far a claim reaches that holds for plans of any makespan.
 pub const FOR_EVER: Later = tr_later!("a claim holds" => "no matter how many steps you allow");
+
+/// What is claimed of an answer for a scene that takes something for granted.
+pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
+    let claim = claim(answer);
+    if assumptions.contains(&Assumption::GoalsChosen) && !claim.is_empty() {
+        tr!("{claim} This holds for the goals chosen.", claim)
+    } else {
+        claim
+    }
+}
 
 /// What is claimed of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use giveway_model::format::{movingai, native, read_text};
+use giveway_formats::movingai;
+use giveway_model::format::{native, read_text};
 use giveway_model::{Fault, Instance};
 
 use crate::Task;
@@ -135,7 +136,7 @@ fn scenario(path: &Path, text: &str, agents: Option<usize>) -> Result<Loaded, St
 fn read(path: &Path) -> Result<String, String> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let text = read_text(&bytes).map_err(|fault| format!("{}: {fault}", path.display()))?;
-    Ok(text.to_owned())
+    Ok(text.into_owned())
 }
 
 #[cfg(test)]

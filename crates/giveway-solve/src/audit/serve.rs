@@ -6,10 +6,10 @@ use giveway_model::{Cost, Instance, check::check};
 
 use super::{AuditAnswer, AuditRequest, conclude::conclude};
 use crate::{
-    Host, Progress, Refusal, SolveAnswer, Status,
+    Host, Progress, Refusal, SolveAnswer, Status, assumed,
     judged::told,
     problem::Problem,
-    search::{Bounded, Horizon, lone_bound, reach_of_bounds},
+    search::{Bounded, Horizon, LoneBound, Minima, reach_of_bounds},
     solve::{self, Task},
 };
 
@@ -22,13 +22,16 @@ pub(crate) fn serve(request: &AuditRequest, host: &dyn Host) -> Result<AuditAnsw
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let report = check(&instance, &request.plan);
     let objective = request.objective.clone();
-    let mut task = Task::new(instance, objective, request.within, request.limits, host);
+    let relaxed = instance.clone().without_moving_obstacles();
+    let mut task = Task::new(relaxed, objective, request.within, request.limits, host);
     let own = report.costs.filter(|_| report.is_valid());
     if own.is_some() {
         task.start = Some(request.plan.clone());
     }
     let at_least = own.map_or(0, |costs| costs.makespan);
-    let search = best(&task, at_least);
+    let mut search = best(&task, at_least);
+    let beside = (own.as_ref(), &task.objective);
+    assumed::weaken_beside(&instance, beside, &mut search);
     Ok(conclude(task.objective, report, search))
 }
 
@@ -50,9 +53,9 @@ fn best(task: &Task, at_least: u32) -> SolveAnswer {
     let mut answer = solve::answer(task, &problem, verdict).answer;
     if matches!(answer.status, Status::Feasible | Status::Unknown) {
         // It ended early: what it proved up to then, and how far that reaches.
-        for (&cost, &bound) in &lone {
-            let known = answer.bounds.entry(cost).or_insert(bound);
-            *known = bound.max(*known);
+        for (&cost, bound) in &lone {
+            let known = answer.bounds.entry(cost).or_default();
+            *known = bound.at_least().max(*known);
         }
         let reach = reach_of_bounds(&problem, horizon, &task.objective, &answer.bounds, &lone);
         (answer.complete, answer.within) = told(Some(reach));
@@ -62,17 +65,18 @@ fn best(task: &Task, at_least: u32) -> SolveAnswer {
 
 /// What each agent needs alone, told to the host at once: of the first cost, and of
 /// those that follow without further work.
-fn lone_bounds(task: &Task, problem: &Problem) -> BTreeMap<Cost, u32> {
+fn lone_bounds(task: &Task, problem: &Problem) -> BTreeMap<Cost, LoneBound> {
     let mut bounds = BTreeMap::new();
     for (i, &cost) in task.objective.costs().iter().enumerate() {
         if i > 0 && !matches!(cost, Cost::Makespan | Cost::SumOfCosts) {
             continue;
         }
-        let Ok(at_least) = lone_bound(problem, cost, &task.budget) else {
+        let Ok(bound) = Minima::default().bound(problem, cost, &task.budget) else {
             break; // the budget is spent, for the search, too
         };
+        let at_least = bound.at_least();
         task.budget.report(&Progress::Bound { cost, at_least });
-        bounds.insert(cost, at_least);
+        bounds.insert(cost, bound);
     }
     bounds
 }

@@ -1,7 +1,7 @@
 //! What is known of a plan, in sentences: one text for the page and the command.
 
 use giveway_model::words::{name, sentence, values};
-use giveway_model::{Cost, Costs, tr};
+use giveway_model::{Assumption, Cost, Costs, assumption::left_out, tr};
 
 use super::{AuditAnswer, AuditStatus};
 use crate::Status;
@@ -48,6 +48,26 @@ pub fn percent(cost: u32, bound: u32, is_reached: bool) -> Option<String> {
         tr!("decimal mark" => "."),
         scaled % one
     ))
+}
+
+/// The verdict on a plan of a scene that takes something for granted.
+pub fn headline_under(answer: &AuditAnswer, assumptions: &[Assumption]) -> Headline {
+    let head = headline(answer);
+    if answer.status != AuditStatus::Optimal {
+        return head;
+    }
+    let is_chosen = assumptions.contains(&Assumption::GoalsChosen);
+    // Nobody judges the rules that are left out, so that the plan itself may break them.
+    let word = match (left_out(assumptions).is_some(), is_chosen) {
+        (true, true) => tr!("an audit" => "No plan costs less for the goals chosen"),
+        (true, false) => tr!("an audit" => "No plan costs less"),
+        (false, true) => tr!("an audit" => "The best for the goals chosen"),
+        (false, false) => return head,
+    };
+    Headline {
+        word: word.to_owned(),
+        ..head
+    }
 }
 
 /// The verdict in one sentence. It begins with words that may be made bold.

@@ -87,6 +87,9 @@ pub struct MethodAnswer {
     pub freed: Vec<String>,
     /// Whether it is proved that no fewer agents could be freed.
     pub fewest: bool,
+    /// The makespan up to which that is proved; left out where it holds for every horizon.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fewest_within: Option<u32>,
     /// Why agents were freed, or why there is no plan.
     pub cause: Option<Cause>,
     /// Whether it is proved that no plan as good disturbs fewer agents.

@@ -1,12 +1,6 @@
 //! What became of each old agent.
 
-use giveway_model::{
-    Cell, Plan,
-    change::{History, Trajectory},
-    compare::Difference,
-};
-
-use super::world::World;
+use giveway_model::{Plan, change::Trajectory, compare::Difference, snapshot::Snapshot};
 
 /// Agents by what the new plan makes of them.
 #[derive(Default)]
@@ -18,45 +12,31 @@ pub(super) struct Comparison {
 }
 
 /// Compares a new plan with the old one, from the change on.
-pub(super) fn compare(world: &World<'_>, plan: &Plan) -> Comparison {
+pub(super) fn compare(snapshot: &Snapshot<'_>, plan: &Plan) -> Comparison {
     let mut comparison = Comparison::default();
-    for (index, timeline) in world.after.timelines().iter().enumerate() {
-        let name = timeline.name().to_owned();
+    for timeline in snapshot.history.timelines() {
         if timeline.until.is_some() {
             continue;
         }
-        if world.before.timelines().len() <= index {
-            comparison.added.push(name);
-            continue;
-        }
-        let (old, new) = (
-            rest(world.before, index, world.plan, world.at),
-            rest(world.after, index, plan, world.at),
-        );
-        let list = match Difference::between((&old.0, &old.1), (&new.0, &new.1)) {
-            Difference::Same => &mut comparison.kept,
-            Difference::Retimed => &mut comparison.retimed,
-            Difference::Rerouted => &mut comparison.rerouted,
+        let agents = snapshot.instance.agents().iter().zip(&snapshot.agents);
+        let old = agents
+            .clone()
+            .find(|(agent, _)| agent.name == timeline.name());
+        let new = Trajectory::of(snapshot.history, timeline, plan);
+        let list = match (old, new) {
+            (Some((_, old)), _) if !old.is_old => &mut comparison.added,
+            (Some((_, old)), Some(new)) => {
+                let (path, charges) = new.rest(snapshot.at);
+                match Difference::between((&old.path, &old.charges), (&path, &charges)) {
+                    Difference::Same => &mut comparison.kept,
+                    Difference::Retimed => &mut comparison.retimed,
+                    Difference::Rerouted => &mut comparison.rerouted,
+                }
+            }
+            // It has vanished, and its path is past.
+            (Some(_), None) | (None, _) => &mut comparison.kept,
         };
-        list.push(name);
+        list.push(timeline.name().to_owned());
     }
     comparison
-}
-
-/// The entries and the charges of an agent from a time on.
-fn rest(history: &History, index: usize, plan: &Plan, at: u32) -> (Vec<Option<Cell>>, Vec<u32>) {
-    let timeline = history.timelines().get(index);
-    let Some(trajectory) = timeline.and_then(|timeline| Trajectory::of(history, timeline, plan))
-    else {
-        return Default::default();
-    };
-    let entries = (at..=trajectory.end().max(at))
-        .map(|time| trajectory.at(time))
-        .collect();
-    let charges = trajectory
-        .charges
-        .iter()
-        .copied()
-        .filter(|&time| time >= at);
-    (entries, charges.collect())
 }

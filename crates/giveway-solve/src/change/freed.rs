@@ -9,24 +9,28 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use giveway_model::{Objective, sorting};
+use giveway_model::{
+    Agent, Objective,
+    snapshot::{RunningAgent, Snapshot},
+    sorting,
+};
 
 use super::{
     CauseKind, Method,
     hitting::{MOST_SETS, hitting},
     keep::{self, Fault},
-    world::{Member, World},
 };
 use crate::{
     budget::{Budget, Stop},
-    problem::{Problem, ProblemError},
-    search::{Aim, Bounded, ForEver, Horizon, find},
-    single::{Bounds, Hopeless, Task},
+    problem::{HopelessAlone, Problem, ProblemError},
+    search::{Aim, Bounded, ForEver, Horizon, Reach, find},
+    single::Bounds,
+    terrain::Terrain,
 };
 
 /// A method at the time of a change.
 pub(super) struct Case<'a, 'h> {
-    pub(super) world: &'a World<'a>,
+    pub(super) snapshot: &'a Snapshot<'a>,
     pub(super) method: Method,
     pub(super) objective: &'a Objective,
     /// The latest arrival from now on, where a person set one.
@@ -54,44 +58,62 @@ impl From<Stop> for Trouble {
 }
 
 impl Case<'_, '_> {
-    pub(super) fn member(&self, agent: usize) -> Option<&Member> {
-        self.world.members.get(agent)
+    /// An agent, and what the running plan has it do.
+    pub(super) fn agent(&self, agent: usize) -> Option<(&Agent, &RunningAgent)> {
+        let snapshot = self.snapshot;
+        snapshot
+            .instance
+            .agents()
+            .get(agent)
+            .zip(snapshot.agents.get(agent))
+    }
+
+    pub(super) fn name(&self, agent: usize) -> &str {
+        self.agent(agent)
+            .map_or("", |(agent, _)| agent.name.as_str())
+    }
+
+    /// The map of now.
+    pub(super) fn terrain(&self) -> Terrain {
+        Terrain::new(self.snapshot.instance.grid())
     }
 
     /// The old agents that are held to the method.
     pub(super) fn held(&self, freed: &BTreeSet<usize>) -> Vec<usize> {
-        let agents = 0..self.world.members.len();
+        let agents = 0..self.snapshot.agents.len();
         agents
-            .filter(|agent| self.member(*agent).is_some_and(|member| member.is_old))
+            .filter(|agent| {
+                self.agent(*agent)
+                    .is_some_and(|(_, running)| running.is_old)
+            })
             .filter(|agent| self.method != Method::Replan && !freed.contains(agent))
             .collect()
     }
 
     /// The problem from now on, these agents freed.
     pub(super) fn problem(&self, freed: &BTreeSet<usize>) -> Result<Problem, Trouble> {
-        let mut terrain = self.world.terrain();
-        let mut tasks: Vec<Task> = Vec::new();
-        let battery = |agent, hopeless: Hopeless| {
-            let kind = CauseKind::Battery;
-            Trouble::Alone(agent, Fault { kind, cell: None }, hopeless.into())
-        };
-        for (agent, member) in self.world.members.iter().enumerate() {
-            if let Some((fault, hopeless)) = keep::blocked(member, &terrain) {
-                return Err(Trouble::Alone(agent, fault, hopeless.into()));
+        let terrain = self.terrain();
+        let mut bounds = Vec::new();
+        let agents = self.snapshot.instance.agents().iter();
+        for (number, (agent, running)) in agents.zip(&self.snapshot.agents).enumerate() {
+            if let Some((fault, hopeless)) = keep::blocked(agent, &terrain) {
+                return Err(Trouble::Alone(
+                    number,
+                    fault,
+                    HopelessAlone::Task(hopeless).into(),
+                ));
             }
-            let bounds = if freed.contains(&agent) {
+            bounds.push(if freed.contains(&number) {
                 Bounds::Free
             } else {
-                keep::bounds(self.method, member, &terrain)
-                    .map_err(|fault| Trouble::Held(agent, fault))?
-            };
-            let task = self.world.task(member, bounds, &mut terrain);
-            tasks.push(task.map_err(|hopeless| battery(agent, hopeless))?);
+                keep::bounds(self.method, agent, running, &terrain)
+                    .map_err(|fault| Trouble::Held(number, fault))?
+            });
         }
-        let stays = self.world.after.stays();
-        Problem::of_tasks(terrain, stays, tasks, &self.budget).map_err(|error| match error {
+        let problem = Problem::bounded(&self.snapshot.instance, bounds, &self.budget);
+        problem.map_err(|error| match error {
             ProblemError::Alone(agent, reason) => {
-                Trouble::Alone(agent, self.alone(agent, freed), reason)
+                Trouble::Alone(agent, self.alone(agent, freed), reason.into())
             }
             ProblemError::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
             ProblemError::Stopped(stop) => Trouble::Stopped(stop),
@@ -99,18 +121,17 @@ impl Case<'_, '_> {
     }
 
     /// Why an agent cannot even alone.
-    fn alone(&self, agent: usize, freed: &BTreeSet<usize>) -> Fault {
-        let terrain = self.world.terrain();
+    fn alone(&self, number: usize, freed: &BTreeSet<usize>) -> Fault {
         let none = |kind| Fault { kind, cell: None };
-        let Some(member) = self.member(agent) else {
+        let Some((agent, running)) = self.agent(number) else {
             return none(CauseKind::NoWay);
         };
-        if !freed.contains(&agent)
-            && let Some(fault) = keep::obstacle(member, &terrain)
+        if !freed.contains(&number)
+            && let Some(fault) = keep::obstacle(&running.cells(), &self.terrain())
         {
             return fault;
         }
-        none(if member.has_battery() {
+        none(if agent.battery.is_some() {
             CauseKind::Battery
         } else {
             CauseKind::NoWay
@@ -119,7 +140,7 @@ impl Case<'_, '_> {
 
     /// What is looked for in a problem.
     pub(super) fn bounded(&self, problem: &Problem) -> Bounded {
-        let grid = self.world.after.grid(self.world.at);
+        let grid = self.snapshot.instance.grid();
         Bounded {
             horizon: Horizon::of(problem, grid, self.within, 0),
             limits: BTreeMap::new(),
@@ -127,21 +148,23 @@ impl Case<'_, '_> {
     }
 
     /// Whether there is a plan with these agents freed.
-    fn exists(&self, freed: &BTreeSet<usize>) -> Result<bool, Stop> {
+    fn exists(&self, freed: &BTreeSet<usize>) -> Result<Exists, Stop> {
         if self.is_deadlocked(freed)? {
-            return Ok(false);
+            return Ok(Exists::No { within: None });
         }
         let problem = match self.problem(freed) {
             Ok(problem) => problem,
             Err(Trouble::Stopped(stop)) => return Err(stop),
-            Err(_) => return Ok(false),
+            Err(_) => return Ok(Exists::No { within: None }), // an agent alone cannot
         };
         let bounded = self.bounded(&problem);
         let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.budget);
         match (verdict.best, verdict.stop) {
-            (Some(_), _) => Ok(true),
+            (Some(_), _) => Ok(Exists::Yes),
             (None, Some(stop)) => Err(stop),
-            (None, None) => Ok(false),
+            (None, None) => Ok(Exists::No {
+                within: verdict.reach.and_then(Reach::within),
+            }),
         }
     }
 
@@ -156,25 +179,24 @@ impl Case<'_, '_> {
         if self.method != Method::Revise || held.len() < 2 {
             return Ok(false);
         }
-        let mut terrain = self.world.terrain();
-        let mut tasks = Vec::new();
+        let terrain = self.terrain();
+        let mut instance = self.snapshot.instance.clone();
+        let names = sorting::set(held.iter().map(|&number| self.name(number)));
+        instance.retain_agents(|agent| names.contains(agent.name.as_str()));
+        let mut bounds = Vec::new();
         let mut steps = 1;
-        for member in held.iter().filter_map(|&agent| self.member(agent)) {
-            let Ok(bounds) = keep::bounds(self.method, member, &terrain) else {
+        for (i, (agent, running)) in held.iter().filter_map(|&it| self.agent(it)).enumerate() {
+            let Ok(own) = keep::bounds(self.method, agent, running, &terrain) else {
                 return Ok(false);
             };
-            let Ok(task) = self.world.task(member, bounds, &mut terrain) else {
-                return Ok(false);
-            };
-            let edges = task.along().map_or(0, |path| path.len().saturating_sub(1));
-            steps += 2 * edges as u32 + task.held + task.delay();
-            tasks.push(Task {
-                reserve: None,
-                ..task
-            });
+            let state = instance.start_state(&agent.name);
+            let edges = running.cells().len().saturating_sub(1) as u32;
+            let transit = u32::from(state.transit_from.is_some());
+            steps += 2 * edges + state.not_before() + transit;
+            instance.drop_battery(i);
+            bounds.push(own);
         }
-        let stays = self.world.after.stays();
-        let problem = match Problem::of_tasks(terrain, stays, tasks, &self.budget) {
+        let problem = match Problem::bounded(&instance, bounds, &self.budget) {
             Ok(problem) => problem,
             Err(ProblemError::Stopped(stop)) => return Err(stop),
             Err(_) => return Ok(false),
@@ -192,14 +214,17 @@ impl Case<'_, '_> {
 
     /// Agents that, held to the method, leave no plan, where all others are
     /// free: none of them can be left out.
-    fn core(&self, freed: &BTreeSet<usize>) -> Result<BTreeSet<usize>, Stop> {
+    fn core(&self, freed: &BTreeSet<usize>, within: &mut Shown) -> Result<BTreeSet<usize>, Stop> {
         let all = sorting::set(self.held(&BTreeSet::new()));
         let mut core = sorting::set(all.difference(freed).copied());
         for agent in core.clone() {
             core.remove(&agent);
             let others = sorting::set(all.difference(&core).copied());
-            if self.exists(&others)? {
-                core.insert(agent);
+            match self.exists(&others)? {
+                Exists::Yes => {
+                    core.insert(agent);
+                }
+                Exists::No { within: own } => within.and(own),
             }
         }
         Ok(core)
@@ -212,13 +237,16 @@ impl Case<'_, '_> {
     /// # Errors
     /// When the budget is spent.
     pub(super) fn fewest(&self, given: &BTreeSet<usize>) -> Result<Option<Fewest>, Stop> {
-        let old = (0..self.world.members.len())
-            .filter(|&agent| self.member(agent).is_some_and(|member| member.is_old));
+        let agents = self.snapshot.agents.iter().enumerate();
+        let old = agents
+            .filter(|(_, running)| running.is_old)
+            .map(|(number, _)| number);
         let all = sorting::set(old);
-        if !self.exists(&all)? {
+        if matches!(self.exists(&all)?, Exists::No { .. }) {
             return Ok(None);
         }
-        let mut cores: Vec<BTreeSet<usize>> = vec![self.core(given)?];
+        let mut within = Shown::default();
+        let mut cores: Vec<BTreeSet<usize>> = vec![self.core(given, &mut within)?];
         let mut size = 1;
         loop {
             let sets = hitting(&cores, size, &self.budget)?;
@@ -232,12 +260,15 @@ impl Case<'_, '_> {
                 let freed = sorting::set(given.union(&set).copied());
                 tried += 1;
                 match self.exists(&freed) {
-                    Ok(true) => good.push(freed),
-                    Ok(false) => match self.core(&freed) {
-                        Ok(core) => cores.push(core),
-                        Err(stop) if good.is_empty() => return Err(stop),
-                        Err(stop) => left = Some(stop),
-                    },
+                    Ok(Exists::Yes) => good.push(freed),
+                    Ok(Exists::No { within: own }) => {
+                        within.and(own);
+                        match self.core(&freed, &mut within) {
+                            Ok(core) => cores.push(core),
+                            Err(stop) if good.is_empty() => return Err(stop),
+                            Err(stop) => left = Some(stop),
+                        }
+                    }
                     Err(stop) if good.is_empty() => return Err(stop),
                     Err(stop) => left = Some(stop),
                 }
@@ -252,6 +283,7 @@ impl Case<'_, '_> {
                     sets: good,
                     core: core.iter().copied().collect(),
                     left,
+                    within: within.0,
                 }));
             }
             if tried == 0 || cores.len() == known {
@@ -272,4 +304,26 @@ pub(super) struct Fewest {
     pub(super) core: Vec<usize>,
     /// Why some sets were not looked at, where some were not.
     pub(super) left: Option<Stop>,
+    /// The latest arrival, from now on, up to which smaller sets were shown to leave no plan;
+    /// `None` where they leave none at all.
+    pub(super) within: Option<u32>,
+}
+
+/// Whether there is a plan.
+enum Exists {
+    Yes,
+    /// None up to a latest arrival, or none at all.
+    No {
+        within: Option<u32>,
+    },
+}
+
+/// The latest arrival up to which several things are shown; without end where it is `None`.
+#[derive(Default)]
+struct Shown(Option<u32>);
+
+impl Shown {
+    fn and(&mut self, within: Option<u32>) {
+        self.0 = self.0.into_iter().chain(within).min();
+    }
 }

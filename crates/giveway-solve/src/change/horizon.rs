@@ -33,11 +33,13 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
             names.clear();
         }
         (answer.cause, answer.fewest, answer.closest) = (None, false, false);
+        answer.fewest_within = None;
         return answer;
     }
     // The search had no steps left at all: that shows nothing beyond what was asked.
     let capped = |shown: Option<u32>| shown.map(|shown| shown.min(within));
     result.within = capped(result.within);
+    answer.fewest_within = capped(answer.fewest_within);
     if let Some(cause) = &mut answer.cause {
         cause.within = capped(cause.within);
     }

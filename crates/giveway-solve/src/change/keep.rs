@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use giveway_model::Cell;
+use giveway_model::{Agent, Cell, snapshot::RunningAgent};
 
-use super::{CauseKind, Method, world::Member};
+use super::{CauseKind, Method};
 use crate::{
     single::{Bounds, Hopeless, has_to_be_at},
     terrain::{Terrain, Vertex},
@@ -28,8 +28,8 @@ impl Fault {
 }
 
 /// What an agent cannot do by any method: go to an obstacle.
-pub(super) fn blocked(member: &Member, terrain: &Terrain) -> Option<(Fault, Hopeless)> {
-    let mut cells = member.waypoints.iter().chain([&member.goal]);
+pub(super) fn blocked(agent: &Agent, terrain: &Terrain) -> Option<(Fault, Hopeless)> {
+    let mut cells = agent.waypoints.iter().chain(&agent.goal);
     cells.find_map(|&cell| {
         let hopeless = has_to_be_at(cell, terrain).err()?;
         Some((Fault::at(CauseKind::Obstacle, cell), hopeless))
@@ -37,47 +37,51 @@ pub(super) fn blocked(member: &Member, terrain: &Terrain) -> Option<(Fault, Hope
 }
 
 /// The bounds of an agent under a method.
-pub(super) fn bounds(method: Method, member: &Member, terrain: &Terrain) -> Result<Bounds, Fault> {
-    if !member.is_old {
+pub(super) fn bounds(
+    method: Method,
+    agent: &Agent,
+    running: &RunningAgent,
+    terrain: &Terrain,
+) -> Result<Bounds, Fault> {
+    if !running.is_old {
         return Ok(Bounds::Free);
     }
+    let rest = running.cells();
     match method {
         Method::Replan => Ok(Bounds::Free),
-        Method::Revise => along(member, terrain),
-        Method::Tunnel(width) => within(member, terrain, width),
+        Method::Revise => along(agent, &rest, terrain),
+        Method::Tunnel(width) => within(agent, &rest, terrain, width),
     }
 }
 
 /// The first obstacle on the rest of an old path.
-pub(super) fn obstacle(member: &Member, terrain: &Terrain) -> Option<Fault> {
-    let mut rest = member.rest.iter();
+pub(super) fn obstacle(rest: &[Cell], terrain: &Terrain) -> Option<Fault> {
+    let mut rest = rest.iter();
     let blocked = rest.find(|&&cell| terrain.vertex(cell).is_none());
     blocked.map(|&cell| Fault::at(CauseKind::Obstacle, cell))
 }
 
-fn along(member: &Member, terrain: &Terrain) -> Result<Bounds, Fault> {
-    if let Some(fault) = obstacle(member, terrain) {
+fn along(agent: &Agent, rest: &[Cell], terrain: &Terrain) -> Result<Bounds, Fault> {
+    if let Some(fault) = obstacle(rest, terrain) {
         return Err(fault);
     }
-    if member.rest.last() != Some(&member.goal) {
-        return Err(Fault::at(CauseKind::Goal, member.goal));
+    if let Some(goal) = agent.goal
+        && rest.last() != Some(&goal)
+    {
+        return Err(Fault::at(CauseKind::Goal, goal));
     }
-    let mut waypoints = member.waypoints.iter();
-    if let Some(&missed) = waypoints.find(|cell| !member.rest.contains(cell)) {
+    let mut waypoints = agent.waypoints.iter();
+    if let Some(&missed) = waypoints.find(|cell| !rest.contains(cell)) {
         return Err(Fault::at(CauseKind::Waypoint, missed));
     }
-    let path: Vec<Vertex> = member
-        .rest
-        .iter()
-        .filter_map(|&c| terrain.vertex(c))
-        .collect();
+    let path: Vec<Vertex> = rest.iter().filter_map(|&c| terrain.vertex(c)).collect();
     Ok(Bounds::Along(Rc::new(path)))
 }
 
-fn within(member: &Member, terrain: &Terrain, width: u32) -> Result<Bounds, Fault> {
+fn within(agent: &Agent, rest: &[Cell], terrain: &Terrain, width: u32) -> Result<Bounds, Fault> {
     let mut tunnel = vec![false; terrain.size()];
     let mut queue = VecDeque::new();
-    for v in member.rest.iter().filter_map(|&cell| terrain.vertex(cell)) {
+    for v in rest.iter().filter_map(|&cell| terrain.vertex(cell)) {
         if let Some(inside) = tunnel.get_mut(v as usize)
             && !std::mem::replace(inside, true)
         {
@@ -100,10 +104,10 @@ fn within(member: &Member, terrain: &Terrain, width: u32) -> Result<Bounds, Faul
         let v = terrain.vertex(cell);
         v.is_some_and(|v| tunnel.get(v as usize) == Some(&true))
     };
-    if !holds(member.goal) {
-        return Err(Fault::at(CauseKind::Goal, member.goal));
+    if let Some(goal) = agent.goal.filter(|&goal| !holds(goal)) {
+        return Err(Fault::at(CauseKind::Goal, goal));
     }
-    if let Some(&missed) = member.waypoints.iter().find(|&&cell| !holds(cell)) {
+    if let Some(&missed) = agent.waypoints.iter().find(|&&cell| !holds(cell)) {
         return Err(Fault::at(CauseKind::Waypoint, missed));
     }
     Ok(Bounds::Within(Rc::new(tunnel)))

@@ -6,7 +6,7 @@ mod judged;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Costs, check::costs_over_time};
+use giveway_model::Agent;
 
 use super::{
     Cause, MethodAnswer,
@@ -32,6 +32,8 @@ struct MethodFound {
     freed: BTreeSet<usize>,
     cause: Option<Cause>,
     fewest: bool,
+    /// How far it is shown that no fewer could be freed, as a makespan; `None` for ever.
+    fewest_within: Option<u32>,
 }
 
 /// Goes on by a method.
@@ -53,6 +55,7 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
         freed,
         cause,
         fewest: true,
+        fewest_within: None,
     };
     let none = found.verdict.best.is_none() && found.verdict.stop.is_none();
     if !none || case.held(&found.freed).is_empty() {
@@ -102,13 +105,15 @@ fn free_hopeless(
 ) -> Result<(BTreeSet<usize>, Option<Cause>), Box<MethodAnswer>> {
     let mut freed = BTreeSet::new();
     let mut causes: BTreeMap<usize, Fault> = BTreeMap::new();
-    let terrain = case.world.terrain();
-    for (agent, member) in case.world.members.iter().enumerate() {
-        if keep::blocked(member, &terrain).is_none()
-            && let Err(fault) = keep::bounds(case.method, member, &terrain)
+    let terrain = case.terrain();
+    let is_blocked = |agent: &Agent| keep::blocked(agent, &terrain).is_some();
+    let agents = case.snapshot.instance.agents().iter();
+    for (number, (agent, running)) in agents.zip(&case.snapshot.agents).enumerate() {
+        if !is_blocked(agent)
+            && let Err(fault) = keep::bounds(case.method, agent, running, &terrain)
         {
-            freed.insert(agent);
-            causes.insert(agent, fault);
+            freed.insert(number);
+            causes.insert(number, fault);
         }
     }
     loop {
@@ -117,8 +122,10 @@ fn free_hopeless(
             Err(trouble @ (Trouble::Alone(agent, fault, _) | Trouble::Held(agent, fault)))
                 if case.held(&freed).contains(&agent) =>
             {
-                let member = case.member(agent);
-                if member.is_some_and(|member| keep::blocked(member, &terrain).is_some()) {
+                if case
+                    .agent(agent)
+                    .is_some_and(|(agent, _)| is_blocked(agent))
+                {
                     return Err(Box::new(without_search(case, trouble)));
                 }
                 freed.insert(agent);
@@ -140,10 +147,11 @@ fn free_fewest(
 ) -> Result<MethodFound, Stop> {
     let shown = before.verdict.reach.and_then(Reach::within);
     let within = match shown {
-        Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.world.at + within),
+        Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.snapshot.at + within),
         _ => None,
     };
     let cause = blocked(case, &fewest.core, within);
+    let fewest_within = fewest.within.map(|within| case.snapshot.at + within);
     let mut best: Option<MethodFound> = None;
     let mut stop = fewest.left;
     let mut reach: Option<Reach> = None;
@@ -181,6 +189,7 @@ fn free_fewest(
                 freed,
                 cause: before.cause.clone().or_else(|| Some(cause.clone())),
                 fewest: true,
+                fewest_within,
             });
         }
     }
@@ -188,9 +197,4 @@ fn free_fewest(
     best.verdict.reach = reach;
     best.verdict.stop = stop;
     Ok(best)
-}
-
-/// The costs of the plan before the changes.
-pub(super) fn costs_before(case: &super::world::World<'_>) -> Option<Costs> {
-    costs_over_time(case.before, case.plan)
 }

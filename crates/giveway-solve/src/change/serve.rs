@@ -5,12 +5,12 @@ use std::rc::Rc;
 use giveway_model::{
     Cost, Instance, Objective, Plan, Version,
     change::History,
-    check::{Violation, check_history},
+    check::{Violation, check_history, costs_over_time},
+    snapshot::Snapshot,
 };
 
 use super::{
     ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, horizon, method,
-    world::World,
 };
 use crate::{Host, budget::Budget, service::Refusal};
 
@@ -34,11 +34,11 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
         let mut after = history.clone();
         let applied = after.apply(at, &list, &plan);
         applied.map_err(|faults| Refusal::Changes { faults })?;
-        let world = World::new(at, &history, &after, &plan);
+        let snapshot = Snapshot::new(at, &instance, (&history, &after), &plan);
         let mut methods = Vec::new();
         for &method in &request.methods {
             let case = Case {
-                world: &world,
+                snapshot: &snapshot,
                 method,
                 objective: &objective,
                 within: request.within.map(|within| within.saturating_sub(at)),
@@ -48,11 +48,9 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
             methods.push((method, answer));
         }
         let (adopted, next) = adopt(&methods);
-        let before = method::costs_before(&world);
-        drop(world);
         steps.push(Step {
             at,
-            before,
+            before: costs_over_time(&history, &plan),
             methods: Methods(methods),
             adopted,
         });
@@ -81,8 +79,8 @@ fn adopt(methods: &[(Method, MethodAnswer)]) -> (Option<Method>, Option<Plan>) {
     found.unzip()
 }
 
-/// The makespan, then the other costs in order.
-fn makespan_first(objective: &Objective) -> Objective {
+/// The costs that each method minimises: the makespan, then the others in order.
+pub fn makespan_first(objective: &Objective) -> Objective {
     let others = objective.costs().iter().copied();
     let mut costs = vec![Cost::Makespan];
     costs.extend(others.filter(|&cost| cost != Cost::Makespan));

@@ -130,10 +130,10 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
     }
     if !answer.freed.is_empty() && answer.result.plan.is_some() {
         let names = names(&answer.freed);
-        let fewest = if answer.fewest {
-            tr!("freeing fewer robots is not enough")
-        } else {
-            tr!("freeing fewer robots might be enough")
+        let fewest = match (answer.fewest, answer.fewest_within) {
+            (true, None) => tr!("freeing fewer robots is not enough").to_owned(),
+            (true, Some(n)) => tr!("freeing fewer robots is not enough up to makespan {n}", n),
+            (false, _) => tr!("freeing fewer robots might be enough").to_owned(),
         };
         notes.push(tr!(
             "Free to take any path: {names}; {fewest}.",

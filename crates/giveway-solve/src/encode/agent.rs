@@ -1,7 +1,8 @@
 //! One agent in clauses: its MDD, its deadlines, its positions.
 //!
 //! Variables are the nodes of the MDD, `by(d)` ("arrived by d", a chain),
-//! and, under `stay`, `rest(t)` ("arrived before t"). A node implies one of its
+//! and, where it stays, `rest(v, t)` ("arrived before t, at v"): of an agent with a
+//! goal for that vertex alone, of another for each vertex at which it may end. A node implies one of its
 //! steps; where steps of a higher level are not in the MDD yet, it does so
 //! only under the deadline that excludes them, so growing adds clauses and
 //! takes none back. No clause says that an agent is in one place only: of
@@ -45,6 +46,21 @@ pub(crate) struct TakenStep {
     pub(crate) to: NodeId,
 }
 
+/// An agent at one vertex for good.
+struct Rest {
+    /// The first time at which it may have arrived before.
+    from: u32,
+    /// `lits[i]`: arrived before `from + i`, and there then.
+    lits: Vec<Lit>,
+}
+
+impl Rest {
+    fn at(&self, time: u32) -> Option<Lit> {
+        let index = time.checked_sub(self.from)?;
+        self.lits.get(index as usize).copied()
+    }
+}
+
 /// One agent inside the solver.
 pub(crate) struct MddEncoding {
     id: AgentId,
@@ -60,8 +76,10 @@ pub(crate) struct MddEncoding {
     due: BTreeMap<u32, Vec<NodeId>>,
     /// `by[i]`: arrived by `optimum + i`.
     by: Vec<Lit>,
-    /// `rest[i]`: arrived before `optimum + 1 + i`, and at the goal then.
-    rest: Vec<Lit>,
+    /// Whether it may rest at any vertex.
+    anywhere: bool,
+    /// By vertex: arrived before a time, and there then.
+    rest: BTreeMap<Vertex, Rest>,
     positions: BTreeMap<(u32, Vertex), Lit>,
     alone: Vec<AtMostOne>,
     battery: Option<BatteryCode>,
@@ -81,10 +99,14 @@ impl MddEncoding {
             written: Vec::new(),
             due: BTreeMap::new(),
             by: Vec::new(),
-            rest: Vec::new(),
+            anywhere: problem.rests(id) && task.goal.is_none(),
+            rest: BTreeMap::new(),
             positions: BTreeMap::new(),
             alone: Vec::new(),
-            battery: task.reserve.map(BatteryCode::new),
+            battery: task.reserve.map(|reserve| {
+                let required = task.conditions.charges().map(|(number, _)| number);
+                BatteryCode::new(reserve, required)
+            }),
         }
     }
 
@@ -133,11 +155,14 @@ impl MddEncoding {
 
     /// Writes what a later deadline needs, and tells what it added.
     ///
+    /// An agent that may rest anywhere rests up to `reach` at least.
+    ///
     /// # Errors
     /// When the budget is spent.
     pub(crate) fn grow(
         &mut self,
         deadline: u32,
+        reach: u32,
         problem: &Problem,
         budget: &Budget,
         out: &mut impl Clauses,
@@ -157,7 +182,14 @@ impl MddEncoding {
             self.write_node(id, task, &problem.terrain, &mut added, out);
             self.due.entry(0).or_default().push(id);
         }
-        self.write_rest(deadline, task, &mut added, out);
+        self.begin_rests(old, task);
+        let until = if self.anywhere {
+            // An end at the deadline, too, is followed by a rest.
+            reach.max(deadline.saturating_add(1))
+        } else {
+            deadline
+        };
+        self.write_rest(until, task, &mut added, out);
         while let Some(entry) = self.due.first_entry() {
             if *entry.key() > deadline {
                 break;
@@ -173,28 +205,48 @@ impl MddEncoding {
             let optimum = self.optimum;
             battery.grow(deadline, |time, out| by(chain, optimum, time, out), out);
         }
-        if let Some(demand) = &task.demand {
-            self.write_waits(old, demand, out);
-        }
+        self.write_waits(old, &task.conditions, out);
         budget.check()?;
         Ok(added)
     }
 
-    /// The literal "arrived before `time`" under `stay`, if it is written.
-    fn rest(&self, time: u32) -> Option<Lit> {
-        let index = time.checked_sub(self.optimum + 1)?;
-        self.rest.get(index as usize).copied()
+    /// Lets an agent that may rest anywhere rest up to a time; any other agent keeps
+    /// its goal free by its deadline.
+    pub(crate) fn reach(&mut self, until: u32, task: &Task, out: &mut impl Clauses) -> Added {
+        let mut added = Added::default();
+        if self.anywhere {
+            self.write_rest(until, task, &mut added, out);
+        }
+        added
     }
 
-    /// The literal "arrived before `time`" under `stay`, if it is written.
-    pub(crate) fn resting(&self, time: u32) -> Option<Lit> {
-        self.rest(time)
+    /// Whether it may rest at any vertex, so that [`MddEncoding::reach`] matters.
+    pub(crate) const fn rests_anywhere(&self) -> bool {
+        self.anywhere
+    }
+
+    /// The literal "arrived before `time`, at `v`" where it stays, if it is written.
+    fn rest(&self, v: Vertex, time: u32) -> Option<Lit> {
+        self.rest.get(&v)?.at(time)
+    }
+
+    /// The vertices at which it may rest, each with the literals "arrived before, and
+    /// there" of the times from one on.
+    pub(crate) fn rests(&self) -> impl Iterator<Item = (Vertex, u32, &[Lit])> + '_ {
+        let rests = self.rest.iter();
+        rests.map(|(&v, rest)| (v, rest.from, rest.lits.as_slice()))
+    }
+
+    /// The literals "arrived before `time`", one for each vertex, as far as written.
+    pub(crate) fn resting(&self, time: u32) -> impl Iterator<Item = (Vertex, Lit)> + '_ {
+        let rests = self.rest.iter();
+        rests.filter_map(move |(&v, rest)| Some((v, rest.at(time)?)))
     }
 
     /// Whether it may have arrived at a node: never before its optimum, which
     /// knows of demands on times.
     pub(crate) fn is_end(&self, node: &Node, task: &Task) -> bool {
-        let end = matches!(node.place, Place::At(v) if task.is_end(v, node.mask));
+        let end = matches!(node.place, Place::At(v) if task.may_end(v, node.mask, node.time));
         end && node.time >= self.optimum
     }
 }

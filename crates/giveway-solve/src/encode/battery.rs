@@ -11,7 +11,11 @@
 //! path. So a charge excludes all nodes of its time that are not at a charger: the
 //! path then passes one that is. That is cheaper than to let all nodes of a time
 //! exclude each other, and does the same. Only where a charge at *one* charger is
-//! demanded do they exclude each other.
+//! required do they exclude each other.
+
+use std::collections::BTreeMap;
+
+use giveway_model::sorting::map;
 
 use crate::{
     sat::{Clauses, Lit},
@@ -30,14 +34,13 @@ pub(crate) struct BatteryCode {
     /// The first time whose window is not written yet; windows are named by
     /// their last time.
     next_window: u32,
-    /// Where a charge at one charger is demanded.
-    demanded: Demanded,
+    /// Charges that must be made, by number.
+    required: BTreeMap<usize, RequiredCharge>,
 }
 
-/// A charge at one charger, at whichever time.
+/// A charge at one charger, at any time.
 #[derive(Default)]
-struct Demanded {
-    is_on: bool,
+struct RequiredCharge {
     /// Nodes there that no literal of `charges` speaks of yet.
     nodes: Vec<(u32, Lit)>,
     /// It charges there, one literal a node.
@@ -45,23 +48,24 @@ struct Demanded {
 }
 
 impl BatteryCode {
-    pub(crate) fn new(reserve: Reserve) -> Self {
+    /// The charges of an agent, among them the required ones of these numbers.
+    pub(crate) fn new(reserve: Reserve, required: impl Iterator<Item = usize>) -> Self {
         Self {
             reserve,
             charges: Vec::new(),
             places: Vec::new(),
             elsewhere: Vec::new(),
             next_window: reserve.initial,
-            demanded: Demanded::default(),
+            required: map(required.map(|number| (number, RequiredCharge::default()))),
         }
     }
 
-    /// A node at the charger at which a charge is demanded. (Where it may be the
+    /// A node at the charger at which a charge is required. (Where it may be the
     /// arrival, at which nobody charges, the agent has left the charger before,
     /// and a charge then costs the same.)
-    pub(crate) fn demand(&mut self, time: u32, node: Lit) {
-        self.demanded.is_on = true;
-        self.demanded.nodes.push((time, node));
+    pub(crate) fn require(&mut self, number: usize, time: u32, node: Lit) {
+        let required = self.required.entry(number).or_default();
+        required.nodes.push((time, node));
     }
 
     /// The charge literals, by time.
@@ -111,8 +115,7 @@ impl BatteryCode {
             out.clause(&[!charge, !node]);
             false
         });
-        if self.demanded.is_on {
-            let Demanded { nodes, charges, .. } = &mut self.demanded;
+        for RequiredCharge { nodes, charges } in self.required.values_mut() {
             nodes.retain(|&(time, node)| {
                 let Some(&charge) = self.charges.get(time as usize) else {
                     return true;

@@ -20,15 +20,15 @@ use crate::{
 
 pub(crate) use giveway_planners::AgentId;
 
-/// The literals that a crossing stands for: all true means that it happens.
+/// Literals that together mean that an agent crosses an edge.
 type Premise = [Lit; 2];
 
 #[derive(Default)]
 struct Crossings {
     /// The direction variable, once agents may meet here.
     direction: Option<Lit>,
-    /// Who crosses forward, and backward, as long as they cannot meet.
-    waiting: [Vec<(AgentId, Premise)>; 2],
+    /// The crossers forward and backward, until two of them may meet.
+    crossers: [Vec<(AgentId, Premise)>; 2],
 }
 
 /// A collision that may happen where collisions are soft: when, where (for an
@@ -44,7 +44,8 @@ pub(crate) struct Meeting {
 #[derive(Default)]
 struct SoftCollision {
     meetings: BTreeMap<Meeting, Lit>,
-    /// Two slow moves overlap in two steps, which is one collision.
+    /// Two slow moves may overlap in two steps, which count as one collision: the key is the
+    /// first literal of each.
     slow: BTreeMap<(Lit, Lit), Lit>,
 }
 
@@ -134,7 +135,7 @@ impl Collisions {
             imply(direction, arc.forward(), premise, out);
             return;
         }
-        let [forward, backward] = &mut crossings.waiting;
+        let [forward, backward] = &mut crossings.crossers;
         let (same, opposite) = if arc.forward() {
             (forward, backward)
         } else {
@@ -144,7 +145,7 @@ impl Collisions {
         if opposite.iter().any(|&(other, _)| other != agent) {
             let direction = out.fresh();
             crossings.direction = Some(direction);
-            for (list, forward) in crossings.waiting.iter_mut().zip([true, false]) {
+            for (list, forward) in crossings.crossers.iter_mut().zip([true, false]) {
                 for (_, premise) in std::mem::take(list) {
                     imply(direction, forward, premise, out);
                 }
@@ -164,7 +165,7 @@ impl Collisions {
         let key = (time, arc.edge());
         let mut crossings = self.edges.remove(&key).unwrap_or_default();
         let (same, opposite) = if arc.forward() { (0, 1) } else { (1, 0) };
-        for &(other, against) in &crossings.waiting[opposite] {
+        for &(other, against) in &crossings.crossers[opposite] {
             if self.collide(agent, other) {
                 let mut clause = vec![!premise[0], !premise[1], !against[0], !against[1]];
                 clause.dedup();
@@ -175,7 +176,7 @@ impl Collisions {
                 self.exclude(meeting, slow, clause, out);
             }
         }
-        crossings.waiting[same].push((agent, premise));
+        crossings.crossers[same].push((agent, premise));
         self.edges.insert(key, crossings);
     }
 

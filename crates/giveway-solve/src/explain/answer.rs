@@ -89,6 +89,10 @@ pub enum FactKind {
     Floor,
     /// An agent has broken down, and may not go on before a time.
     Breakdown,
+    /// An agent without a goal is there at all.
+    Presence,
+    /// An arrived agent without a goal blocks the cell where it rests.
+    Rest,
 }
 
 /// Whether leaving out one fact alone, all others of the instance kept, gives a

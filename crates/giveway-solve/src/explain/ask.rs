@@ -8,19 +8,18 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan,
-    check::{Rule, Violation, arrivals, check},
+    Condition, Cost, Costs, Instance, Objective, Plan,
+    check::{self, Rule, Violation, arrivals, check},
 };
 
-use super::past::Past;
 use crate::{
     Status,
     budget::Budget,
-    counterfactual::Counterfactual,
+    impose::limit_costs,
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
     search::{Aim, Bounded, Horizon, Reach, Verdict, find},
-    walk::to_plan,
+    walk::{Walk, of_plan, to_plan},
 };
 
 /// A question to the search.
@@ -30,8 +29,8 @@ pub(crate) struct Ask<'a> {
     pub(crate) instance: &'a Instance,
     /// Rules between agents that do not count.
     pub(crate) relaxed: &'a Relaxed,
-    /// What a question asks for beside the rules.
-    pub(crate) condition: Option<&'a Counterfactual>,
+    /// What must hold beside the rules.
+    pub(crate) conditions: &'a [Condition],
     /// What is minimised.
     pub(crate) objective: &'a Objective,
     /// The most that a plan may have of some costs.
@@ -41,8 +40,6 @@ pub(crate) struct Ask<'a> {
     /// The least horizon, where none is set: what holds up to a horizon for the
     /// instance as it is should not be asked up to a lesser one.
     pub(crate) at_least_within: u32,
-    /// What is past already, which costs count.
-    pub(crate) past: &'a Past,
 }
 
 /// What the search knows at the end.
@@ -88,32 +85,31 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
         horizon: ask.within.unwrap_or(ask.at_least_within),
     };
     let instance = ask.instance;
-    let mut problem = match Problem::relaxed(instance, ask.relaxed.clone(), ask.condition, budget) {
+    let problem = match Problem::relaxed(instance, ask.relaxed.clone(), ask.conditions, budget) {
         Ok(problem) => problem,
         Err(ProblemError::Alone(agent, reason)) => {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                reach: Some(Reach::ForEver(reason)),
+                reach: Some(Reach::ForEver(reason.into())),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
         }
         Err(_) => return nothing,
     };
-    ask.past.wake(instance, &mut problem);
     let grid = instance.grid();
     let horizon = Horizon::of(&problem, grid, ask.within, ask.at_least_within);
     let mut limits = ask.caps.clone();
-    if let Some(condition) = ask.condition
-        && let Err(unmeetable) = condition.limit_costs(&mut limits)
-    {
-        return Found {
-            status: Status::Impossible,
-            reach: Some(Reach::ForEver(unmeetable.into())),
-            horizon: horizon.latest(),
-            ..nothing
-        };
+    for condition in ask.conditions {
+        if let Err(unmeetable) = limit_costs(condition, &mut limits) {
+            return Found {
+                status: Status::Impossible,
+                reach: Some(Reach::ForEver(unmeetable.into())),
+                horizon: horizon.latest(),
+                ..nothing
+            };
+        }
     }
     let bounded = Bounded { horizon, limits };
     let verdict = find(&problem, ask.objective, &bounded, aim, budget);
@@ -123,13 +119,14 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
 /// A verdict with its plan judged.
 fn judged(problem: &Problem, ask: &Ask, aim: &Aim, horizon: u32, verdict: Verdict) -> Found {
     let instance = ask.instance;
-    let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
+    let names = names(instance);
     let claim = (verdict.reach, verdict.stop);
     let judged = Judged::new(verdict.best, aim, claim, |(walks, costs)| {
         let plan = to_plan(problem, &names, &walks);
         let broken = violations(instance, &problem.relaxed, &plan);
-        let met = ask.condition.is_none_or(|it| it.is_met_by(instance, &plan));
-        let same = ask.past.costs(instance, &plan) == Some(costs);
+        let mut conditions = ask.conditions.iter();
+        let met = conditions.all(|it| it.holds(instance, &plan) == Some(true));
+        let same = check::costs(instance, &plan) == Some(costs);
         (met && broken.is_empty() && same).then_some((plan, costs))
     });
     let clash = verdict.clash.iter().filter_map(|&a| names.get(a));
@@ -142,6 +139,19 @@ fn judged(problem: &Problem, ask: &Ask, aim: &Aim, horizon: u32, verdict: Verdic
         clash: clash.cloned().collect(),
         horizon,
     }
+}
+
+/// The names of the agents, in their order.
+pub(crate) fn names(instance: &Instance) -> Vec<String> {
+    let agents = instance.agents().iter();
+    agents.map(|agent| agent.name.clone()).collect()
+}
+
+/// The plan of an instance as walks, up to the arrivals.
+pub(crate) fn walks(instance: &Instance, problem: &Problem, plan: &Plan) -> Option<Vec<Walk>> {
+    let mut plan = plan.clone();
+    plan.cut_trailing_goals(instance);
+    of_plan(problem, &names(instance), &plan)
 }
 
 /// The violations of a plan, but for those of rules left out.

@@ -2,16 +2,18 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, Costs, Instance, Plan, check::check};
+use giveway_model::{Cell, Condition, Costs, Instance, Plan, check::check};
 
-use super::verdict::Case;
+use super::{
+    ask::{names, walks},
+    verdict::Case,
+};
 use crate::{
     Limits,
     budget::Budget,
-    counterfactual::Counterfactual,
+    impose::limit_costs,
     problem::{Problem, Relaxed},
     search::{Before, Bounded, Extent, Horizon, Reach, closest as search_closest},
-    single::Place,
     walk::to_plan,
 };
 use giveway_model::sorting::{map, sort};
@@ -33,7 +35,7 @@ pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) ->
     );
     let mut proved = true;
     let mut nearest = (distance(case, best.0), best.0.clone());
-    for condition in case.conditions.iter() {
+    for condition in case.conditions() {
         match with(case, condition, best.1, &part) {
             Attempt::Plan(plan, is_proved) => {
                 proved &= is_proved;
@@ -59,27 +61,27 @@ enum Attempt {
     Unknown,
 }
 
-fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budget>) -> Attempt {
+fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -> Attempt {
     let instance = case.instance;
     let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget);
-    let Ok(mut problem) = problem else {
+    let Ok(problem) = problem else {
         return match budget.check() {
             Ok(()) => Attempt::None, // the agent alone cannot
             Err(_) => Attempt::Unknown,
         };
     };
-    case.past.wake(instance, &mut problem);
     let grid = instance.grid();
-    // Where a horizon is far away, closer plans beyond the default are not worth
-    // the search; then that none is closer is not claimed.
+    // Where a horizon is far away, closer plans beyond the default are not worth the search; then
+    // that none is closer is not claimed. That a plan which ends after so many steps as there are
+    // joint states has a shorter counterpart of no higher costs says nothing of how close it is.
     let near = problem
         .default_horizon(grid)
         .max(case.costs.makespan)
         .max(costs.makespan);
-    let horizon = Horizon::of(&problem, grid, case.within, case.costs.makespan).up_to(near);
+    let horizon = Horizon::at(case.within.unwrap_or(near).min(near));
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
-    if condition.limit_costs(&mut limits).is_err() {
+    if limit_costs(condition, &mut limits).is_err() {
         return Attempt::None;
     }
     let Some(before) = before(&problem, instance, case.plan) else {
@@ -94,7 +96,7 @@ fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budge
         Ok(None) => Attempt::None,
         Err(_) => Attempt::Unknown,
         Ok(Some(close)) => {
-            let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
+            let names = names(instance);
             let mut plan = to_plan(&problem, &names, &close.walks);
             for (name, same) in names.iter().zip(close.same) {
                 let charges = case.plan.charges(name);
@@ -103,11 +105,10 @@ fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budge
                 }
             }
             let report = check(instance, &plan);
-            let as_good = case
-                .past
-                .costs(instance, &plan)
+            let as_good = report
+                .costs
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
-            if report.is_valid() && as_good && condition.is_met_by(instance, &plan) {
+            if report.is_valid() && as_good && condition.holds(instance, &plan) == Some(true) {
                 let far = |proved: Reach| case.shown.is_some_and(|shown| proved.covers(shown));
                 Attempt::Plan(plan, close.proved.is_some_and(far))
             } else {
@@ -117,30 +118,15 @@ fn with(case: &Case, condition: &Counterfactual, costs: Costs, budget: &Rc<Budge
     }
 }
 
-/// A valid plan as walks.
+/// A valid plan as walks with their charges.
 fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<Before>> {
-    let mut plan = plan.clone();
-    plan.cut_trailing_goals(instance);
-    let terrain = &problem.terrain;
-    let agents = instance.agents().iter();
-    let each = agents.map(|agent| {
-        let path = plan.path(&agent.name);
-        let mut walk = Vec::with_capacity(path.len());
-        for (time, entry) in path.iter().enumerate() {
-            if let Some(cell) = entry {
-                walk.push(Place::At(terrain.vertex(*cell)?));
-                continue;
-            }
-            let from = terrain.vertex(path.get(time.checked_sub(1)?).copied()??)?;
-            let to = terrain.vertex(path.get(time + 1).copied()??)?;
-            let arc = terrain.arcs(from).iter().find(|arc| arc.to == to)?;
-            walk.push(Place::Along(arc.id));
-        }
+    let walks = walks(instance, problem, plan)?.into_iter();
+    let each = walks.zip(instance.agents()).map(|(walk, agent)| {
         let mut charges = plan.charges(&agent.name).to_vec();
         sort(&mut charges);
-        Some(Before { walk, charges })
+        Before { walk, charges }
     });
-    each.collect()
+    Some(each.collect())
 }
 
 /// How far a plan is from the one asked about: agents that do something else,
@@ -150,7 +136,8 @@ fn distance(case: &Case, other: &Plan) -> (usize, usize) {
     for agent in case.instance.agents() {
         let (a, b) = (case.plan.path(&agent.name), other.path(&agent.name));
         let at = |path: &[Option<Cell>], time: usize| {
-            path.get(time).copied().unwrap_or(Some(agent.goal))
+            let end = || agent.goal.or_else(|| path.last().copied().flatten());
+            path.get(time).copied().unwrap_or_else(end)
         };
         let times = 0..a.len().max(b.len());
         let differ = times.filter(|&time| at(a, time) != at(b, time)).count();

@@ -4,24 +4,22 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Costs, Plan};
+use giveway_model::{Condition, Costs, Plan, check::costs};
 
 use super::{
-    ask::{Ask, Found, any, at_most, best, violations},
+    ask::{Ask, Found, any, at_most, best, names, violations, walks},
     group::{Variant, fit},
     group_mus::{Inquiry, Tried},
-    own_way::walk_of,
     repairs::{Best, Solver},
     unsolvable::{long_search, one_search, tried},
     verdict::Case,
 };
 use crate::{
     budget::Budget,
-    counterfactual::Counterfactual,
     lns::{Effort, Lns},
     problem::Problem,
     search::Reach,
-    walk::{Walk, to_plan},
+    walk::to_plan,
 };
 
 /// States that are looked at to improve a known plan, about.
@@ -42,37 +40,36 @@ pub(crate) struct Contrasted<'a, 'h> {
 
 impl Contrasted<'_, '_> {
     /// What must hold, one of these: those about agents that are still there.
-    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Counterfactual> {
+    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Condition> {
         let agents = variant.instance.agents().iter();
         let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
         let there = move |name: &str| names.iter().any(|there| there == name);
-        let conditions = self.case.conditions.iter();
+        let conditions = self.case.conditions();
         conditions.filter(move |condition| condition.agent().is_none_or(&there))
     }
 
     fn with<T>(
         &self,
         variant: &Variant,
-        condition: &Counterfactual,
+        condition: &Condition,
         part: &Rc<Budget>,
         run: impl Fn(&Ask, &Rc<Budget>) -> T,
     ) -> T {
         let ask = Ask {
             instance: &variant.instance,
             relaxed: &variant.relaxed,
-            condition: Some(condition),
+            conditions: std::slice::from_ref(condition),
             objective: self.case.objective(),
             caps: &BTreeMap::new(),
             within: variant.within,
             at_least_within: self.horizon,
-            past: self.case.past,
         };
         let result = run(&ask, part);
         self.budget.absorb(part);
         result
     }
 
-    fn find(&self, variant: &Variant, condition: &Counterfactual, part: &Rc<Budget>) -> Found {
+    fn find(&self, variant: &Variant, condition: &Condition, part: &Rc<Budget>) -> Found {
         match &self.most {
             Some(most) => self.with(variant, condition, part, |ask, budget| {
                 at_most(ask, most.clone(), budget)
@@ -111,18 +108,13 @@ impl Contrasted<'_, '_> {
     }
 
     /// A plan near to the known one, improved by what was left out.
-    fn nearby(&self, variant: &Variant, condition: &Counterfactual) -> Option<Plan> {
+    fn nearby(&self, variant: &Variant, condition: &Condition) -> Option<Plan> {
         let near = fit(self.near?, &variant.instance);
         let instance = &variant.instance;
         let relaxed = variant.relaxed.clone();
         let budget = &self.budget;
-        let mut problem = Problem::relaxed(instance, relaxed, Some(condition), budget).ok()?;
-        self.case.past.wake(instance, &mut problem);
-        let agents = instance.agents().iter();
-        let walks: Option<Vec<Walk>> = agents
-            .map(|agent| walk_of(&problem.terrain, near.path(&agent.name), agent.goal))
-            .collect();
-        let mut walks = walks?;
+        let problem = Problem::relaxed(instance, relaxed, Some(condition), budget).ok()?;
+        let mut walks = walks(instance, &problem, &near)?;
         let latest = variant.within.unwrap_or(self.horizon);
         let objective = self.case.objective();
         let improved = Lns::default().improve(
@@ -137,8 +129,7 @@ impl Contrasted<'_, '_> {
             budget,
         );
         improved.ok()?;
-        let names: Vec<String> = instance.agents().iter().map(|a| a.name.clone()).collect();
-        let plan = to_plan(&problem, &names, &walks);
+        let plan = to_plan(&problem, &names(instance), &walks);
         self.accepts(variant, &plan).then_some(plan)
     }
 
@@ -159,14 +150,14 @@ impl Inquiry for Contrasted<'_, '_> {
 
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool {
         let instance = &variant.instance;
-        let Some(costs) = self.case.past.costs(instance, plan) else {
+        let Some(costs) = costs(instance, plan) else {
             return false;
         };
         let mut conditions = self.conditions(variant);
         variant.within.is_none_or(|within| costs.makespan <= within)
             && self.is_cheap(&costs)
             && violations(instance, &variant.relaxed, plan).is_empty()
-            && conditions.any(|condition| condition.is_met_by(instance, plan))
+            && conditions.any(|condition| condition.holds(instance, plan) == Some(true))
     }
 }
 

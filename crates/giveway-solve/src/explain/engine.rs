@@ -6,22 +6,21 @@ use std::rc::Rc;
 
 use giveway_model::tr;
 use giveway_model::{
-    Costs, Fault, Instance, Objective, Question, Version,
-    check::{Report, check_history},
+    Costs, Instance, Objective, Plan, Question,
+    check::{self, Report, check_history},
     question::{Misfit, fits, names_exist},
 };
 
 use super::{
-    ExplainAnswer, ExplainRequest, Part, Verdict,
+    ExplainAnswer, ExplainRequest, Part,
     ask::{Ask, any},
+    changed::{ChangedWorld, asked, counting},
     closest::closest,
     own_plan::Judged,
-    past::Past,
     reasons,
-    rest::{Asked, rest_of},
     verdict::{Case, compare},
+    whole::Whole,
     words,
-    world::{World, counting, up_to},
 };
 use crate::{
     Host, Progress, Refusal, Status,
@@ -48,18 +47,14 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             plan: request.plan.clone(),
             question: request.question.clone(),
             within: request.within,
-            past: Past::default(),
+            whole: Whole::default(),
         };
         return answered(&asked, &budget, host);
     };
-    let Some(plan) = &request.plan else {
-        let fault = Fault::at("plan", "none", "the plan that ran while the world changed");
-        return Err(Refusal::Request { fault });
-    };
-    let plan = &up_to(&changes, plan);
-    let world = World::new(&instance, &changes, plan)?;
-    if !matches!(request.question, Question::Unsolvable) {
-        let report = check_history(&world.history, plan);
+    let world = ChangedWorld::new(&instance, &changes, request.plan.as_ref())?;
+    let solvable = !matches!(request.question, Question::Unsolvable);
+    if solvable {
+        let report = check_history(&world.after, &world.plan);
         if !report.is_valid() && matches!(request.question, Question::Plan) {
             return Ok(broken(report, instance.objective(), &budget));
         }
@@ -68,8 +63,31 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             return Err(Refusal::Plan { violations });
         }
     }
-    let asked = rest_of(&instance, world, plan, request)?;
+    let snapshot = world.snapshot(&instance);
+    let mut instance = snapshot.instance.clone();
+    let (question, within) = asked(request, &snapshot, &mut instance)?;
+    let asked = Asked {
+        instance,
+        plan: solvable.then(|| snapshot.rest()),
+        question,
+        within,
+        whole: Whole {
+            running: Some((&snapshot, &request.question)),
+        },
+    };
     answered(&asked, &budget, host)
+}
+
+/// What is asked, about an instance and its plan.
+struct Asked<'a> {
+    instance: Instance,
+    /// The plan that is asked about; `None` where none was given, or the
+    /// question is why there is none.
+    plan: Option<Plan>,
+    question: Question,
+    /// The horizon, where a person set one.
+    within: Option<u32>,
+    whole: Whole<'a>,
 }
 
 /// What there is to say of a plan that breaks rules while the world changes.
@@ -82,7 +100,7 @@ fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> Explain
         words: words::own_plan(&judged, objective, &costs, None),
         violations: Some(judged.violations),
         stats: budget.stats(),
-        ..empty(&Question::Plan)
+        ..ExplainAnswer::empty(&Question::Plan)
     }
 }
 
@@ -93,22 +111,23 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
         plan,
         question,
         within,
-        past,
+        whole,
     } = asked;
-    let (within, costs) = (*within, plan.as_ref());
-    let costs = costs.and_then(|plan| past.told_costs(instance, plan));
+    let (within, whole) = (*within, *whole);
+    let costs = plan.as_ref();
+    let costs = costs.and_then(|plan| whole.costs_of(instance, plan));
     let telling = Telling {
         budget,
         host,
-        past,
+        whole,
         costs,
     };
     let refused = |misfit| Refusal::Question { misfit };
     names_exist(question, instance).map_err(refused)?;
-    let mut answer = empty(question);
+    let mut answer = ExplainAnswer::empty(question);
     if matches!(question, Question::Unsolvable) {
         no_plan(instance, within, &mut answer, &telling)?;
-        return Ok(past.told(answer, costs));
+        return Ok(whole.answer(answer, costs));
     }
     let solved = match plan {
         Some(_) => None,
@@ -123,22 +142,19 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
         return Ok(answer);
     };
     if matches!(question, Question::Plan) {
-        reasons::of_own_plan(instance, &plan, within, past, &mut answer, budget);
+        reasons::of_own_plan(instance, &plan, within, whole, &mut answer, budget);
         answer.plan = best;
         answer.stats = budget.stats();
-        return Ok(past.told(answer, costs));
+        return Ok(whole.answer(answer, costs));
     }
-    let violations = past.check(instance, &plan);
-    let Some(costs) = past
-        .costs(instance, &plan)
-        .filter(|_| violations.is_empty())
-    else {
+    let violations = whole.check(instance, &plan);
+    let Some(costs) = check::costs(instance, &plan).filter(|_| violations.is_empty()) else {
         return Err(Refusal::Plan { violations });
     };
     fits(question, instance, &plan)
-        .map_err(|misfit| refused(past.misfit(question, instance, &plan, misfit)))?;
+        .map_err(|misfit| refused(whole.misfit(question, instance, &plan, misfit)))?;
     answer.plan = best;
-    let mut case = Case::new(instance, question, &plan, costs, within, past);
+    let mut case = Case::new(instance, question, &plan, costs, within, whole);
     case.optimal = solved.and_then(|solved| solved.reach);
     answer.pending = vec![
         Part::Verdict,
@@ -151,7 +167,7 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
     reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
         telling.tell(answer, part);
     });
-    Ok(past.told(answer, telling.costs))
+    Ok(whole.answer(answer, telling.costs))
 }
 
 /// The verdict with an other plan: the first part.
@@ -175,7 +191,7 @@ fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) 
 fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
     if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
         let (plan, proved) = closest(case, (other, costs), telling.budget);
-        answer.costs = case.past.costs(case.instance, &plan);
+        answer.costs = check::costs(case.instance, &plan);
         answer.alternative = Some(plan);
         answer.closest = proved;
         reasons::word(case, "", answer);
@@ -186,7 +202,7 @@ fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
 struct Telling<'a, 'h> {
     budget: &'a Rc<Budget<'h>>,
     host: &'a dyn Host,
-    past: &'a Past,
+    whole: Whole<'a>,
     /// The costs of the whole plan that is asked about.
     costs: Option<Costs>,
 }
@@ -197,7 +213,7 @@ impl Telling<'_, '_> {
         answer.pending.retain(|&pending| pending != part);
         answer.stats = self.budget.stats();
         if !answer.pending.is_empty() {
-            let answer = self.past.told(answer.clone(), self.costs);
+            let answer = self.whole.answer(answer.clone(), self.costs);
             let answer = Box::new(answer);
             self.host.progress(&Progress::Explained { answer });
         }
@@ -215,17 +231,16 @@ fn no_plan(
         &Ask {
             instance,
             relaxed: &Relaxed::default(),
-            condition: None,
+            conditions: &[],
             objective: instance.objective(),
             caps: &BTreeMap::new(),
             within,
             at_least_within: 0,
-            past: telling.past,
         },
         telling.budget,
     );
     if let (Some(costs), Some(plan)) = (found.costs, &found.plan) {
-        let costs = telling.past.whole_costs(costs, plan);
+        let costs = telling.whole.costs(costs, plan);
         let misfit = Misfit::NotSo {
             is_so: tr!(
                 "There is a plan, with a makespan of {makespan}.",
@@ -244,8 +259,8 @@ fn no_plan(
     }
     answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
     let tell = &mut |answer: &mut ExplainAnswer, part| telling.tell(answer, part);
-    let (past, budget) = (telling.past, telling.budget);
-    reasons::of_no_plan(instance, within, &found, past, answer, budget, tell);
+    let (whole, budget) = (telling.whole, telling.budget);
+    reasons::of_no_plan(instance, within, &found, whole, answer, budget, tell);
     Ok(())
 }
 
@@ -272,33 +287,4 @@ fn solved(
         return Err(Refusal::Question { misfit });
     }
     Ok(solved)
-}
-
-/// An answer of which nothing is known yet.
-fn empty(question: &Question) -> ExplainAnswer {
-    ExplainAnswer {
-        giveway: Version,
-        question: question.clone(),
-        since: None,
-        plan: None,
-        verdict: Verdict::Unknown,
-        costs: None,
-        deltas: BTreeMap::new(),
-        within: None,
-        complete: false,
-        alternative: None,
-        closest: false,
-        witness: Vec::new(),
-        core: None,
-        repairs: Vec::new(),
-        further_repairs: 0,
-        exhaustive: false,
-        valid: None,
-        violations: None,
-        optimal: None,
-        excess: Vec::new(),
-        pending: Vec::new(),
-        words: String::new(),
-        stats: crate::Stats::default(),
-    }
 }

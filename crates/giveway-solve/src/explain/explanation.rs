@@ -167,3 +167,34 @@ pub struct ExplainAnswer {
     /// How much work it took.
     pub stats: Stats,
 }
+
+impl ExplainAnswer {
+    /// An answer of which nothing is known yet.
+    pub(super) fn empty(question: &Question) -> Self {
+        Self {
+            giveway: Version,
+            question: question.clone(),
+            since: None,
+            plan: None,
+            verdict: Verdict::Unknown,
+            costs: None,
+            deltas: BTreeMap::new(),
+            within: None,
+            complete: false,
+            alternative: None,
+            closest: false,
+            witness: Vec::new(),
+            core: None,
+            repairs: Vec::new(),
+            further_repairs: 0,
+            exhaustive: false,
+            valid: None,
+            violations: None,
+            optimal: None,
+            excess: Vec::new(),
+            pending: Vec::new(),
+            words: String::new(),
+            stats: crate::Stats::default(),
+        }
+    }
+}

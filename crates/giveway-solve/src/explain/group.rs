@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Breakdown, Cell, Grid, Instance, Plan};
+use giveway_model::{Breakdown, Cell, Grid, Instance, Plan, ends_with_rest};
 
 use super::answer::{Fact, FactKind, Helps};
 use super::words;
@@ -23,7 +23,7 @@ pub(crate) enum Group {
     Obstacle(Cell),
     /// The two, the lower number first, must not collide.
     Collision(usize, usize),
-    /// It stays at its goal.
+    /// It stays where it arrives.
     Stay(usize),
     /// Slow zones are slow.
     Slow,
@@ -73,8 +73,15 @@ impl Group {
             _ => None,
         };
         let breakdown = self.breakdown(instance);
+        let agent = |a: usize| instance.agents().get(a);
+        let has_no_goal = |a: usize| agent(a).is_some_and(|agent| agent.goal.is_none());
+        let kind = match self {
+            Self::Task(a) if has_no_goal(a) => FactKind::Presence,
+            Self::Stay(a) if has_no_goal(a) => FactKind::Rest,
+            _ => self.kind(),
+        };
         Fact {
-            kind: self.kind(),
+            kind,
             text: words::fact(self, instance, within),
             agents,
             cell,
@@ -90,8 +97,8 @@ impl Group {
             return None;
         };
         let agent = instance.agents().get(agent)?;
-        let mut breakdowns = instance.breakdowns().iter();
-        breakdowns.find(|it| it.agent == agent.name && it.from == from)
+        let mut breakdowns = instance.start_state(&agent.name).breakdowns.iter();
+        breakdowns.find(|it| it.from == from)
     }
 }
 
@@ -106,12 +113,9 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         }
         groups.extend(agent.waypoints.iter().map(|&w| Group::Waypoint(i, w)));
         groups.extend(agent.battery.map(|_| Group::Battery(i)));
-        groups.extend(instance.stays().then_some(Group::Stay(i)));
+        groups.extend(instance.keeps(agent).then_some(Group::Stay(i)));
         groups.extend((0..i).map(|other| Group::Collision(other, i)));
-        let own = instance
-            .breakdowns()
-            .iter()
-            .filter(|it| it.agent == agent.name);
+        let own = instance.start_state(&agent.name).breakdowns.iter();
         groups.extend(own.map(|breakdown| Group::Breakdown(i, breakdown.from)));
     }
     let cells = instance.grid().cells();
@@ -175,9 +179,13 @@ pub(crate) fn without(
                     relaxed.ignored.insert((number(a), number(b)));
                 }
             }
-            // (Where all agents vanish, there is no such fact.)
+            // (Of an agent that vanishes, there is no such fact.)
             Group::Stay(a) => {
-                if !gone(a) && instance.stays() {
+                let keeps = instance
+                    .agents()
+                    .get(a)
+                    .is_some_and(|it| instance.keeps(it));
+                if !gone(a) && keeps {
                     relaxed.gone.insert(number(a));
                 }
             }
@@ -185,8 +193,10 @@ pub(crate) fn without(
             Group::Deadline => within = None,
             Group::Floor => variant = variant.with_battery_floor(0),
             Group::Breakdown(a, from) => {
-                let name = instance.agents().get(a).map(|agent| agent.name.as_str());
-                variant.retain_breakdowns(|it| Some(it.agent.as_str()) != name || it.from != from);
+                if let Some(agent) = instance.agents().get(a) {
+                    let state = variant.start_state_mut(&agent.name);
+                    state.breakdowns.retain(|it| it.from != from);
+                }
             }
         }
     }
@@ -214,8 +224,8 @@ pub(crate) fn fit(plan: &Plan, instance: &Instance) -> Plan {
     plan.charges
         .retain(|name, _| agent(name).is_some_and(|a| a.battery.is_some()));
     for (name, path) in &mut plan.paths {
-        let goal = agent(name).map(|a| a.goal);
-        while path.len() >= 2 && path.ends_with(&[goal, goal]) {
+        let goal = agent(name).and_then(|a| a.goal);
+        while ends_with_rest(path, goal) {
             path.pop();
         }
     }

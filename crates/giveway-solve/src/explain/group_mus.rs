@@ -218,8 +218,9 @@ impl<'a> Shrinking<'a> {
         let cells: Vec<Cell> = agents
             .filter(|&(a, _)| !self.left_out.contains(&Group::Task(a)))
             .flat_map(|(_, agent)| {
-                let ends = [agent.start, agent.goal];
-                agent.waypoints.iter().copied().chain(ends)
+                let ends = [Some(agent.start), agent.goal];
+                let waypoints = agent.waypoints.iter().copied();
+                waypoints.chain(ends.into_iter().flatten())
             })
             .collect();
         let distance = |group: &Group| match group {

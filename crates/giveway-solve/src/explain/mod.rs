@@ -5,8 +5,8 @@
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it;
-//! - [`rest`]: what is left of a plan once the world has changed (`going_on`: by whom, `world`: where); [`past`] and
-//!   `told` make an answer about it one about the whole;
+//! - `changed`: a question after a change of the world, as one about a snapshot of the plan;
+//!   `whole` tells the answer of the whole plan;
 //! - [`group`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
@@ -23,29 +23,26 @@
 pub mod answer;
 pub(crate) mod ask;
 pub(crate) mod causes;
+mod changed;
 mod closest;
 pub(crate) mod contrasted;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
-mod going_on;
 pub(crate) mod group;
 pub(crate) mod group_mus;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
-pub(crate) mod past;
 pub(crate) mod reasons;
 pub(crate) mod repairs;
-pub(crate) mod rest;
 pub(crate) mod soft;
 #[cfg(test)]
 mod tests;
-mod told;
 pub(crate) mod unsolvable;
 pub(crate) mod verdict;
 pub(crate) mod waits;
+mod whole;
 pub(crate) mod words;
-mod world;
 
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};
 pub use edits::edited_instance;

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Objective, Plan, check::Violation};
+use giveway_model::{
+    Cost, Costs, Instance, Objective, Plan,
+    check::{self, Violation},
+};
 
 use super::{
     answer::Excess,
     ask::{Ask, Found, best},
-    past::Past,
+    whole::Whole,
 };
 use crate::{Status, budget::Budget, problem::Relaxed};
 
@@ -48,11 +51,11 @@ pub(crate) fn judge(
     plan: &Plan,
     objective: &Objective,
     within: Option<u32>,
-    past: &Past,
+    whole: Whole,
     budget: &Rc<Budget>,
 ) -> Judged {
-    let violations = past.check(instance, plan);
-    let mut judged = Judged::new(violations, past.costs(instance, plan));
+    let violations = whole.check(instance, plan);
+    let mut judged = Judged::new(violations, check::costs(instance, plan));
     let Some(costs) = judged.costs.filter(|_| judged.violations.is_empty()) else {
         return judged;
     };
@@ -60,13 +63,12 @@ pub(crate) fn judge(
         &Ask {
             instance,
             relaxed: &Relaxed::default(),
-            condition: None,
+            conditions: &[],
             objective,
             caps: &BTreeMap::new(),
             // A plan that is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
             at_least_within: costs.makespan,
-            past,
         },
         budget,
     );
@@ -74,7 +76,7 @@ pub(crate) fn judge(
     if let (Some(other), Some(least)) = (&found.plan, &found.costs) {
         if vector(least) < vector(&costs) {
             judged.optimal = Some(false);
-            judged.excess = excess(instance, plan, other, past);
+            judged.excess = excess(instance, plan, other);
             judged.better = Some((other.clone(), *least));
         } else if found.status == Status::Optimal && vector(least) == vector(&costs) {
             judged.optimal = Some(true);
@@ -85,13 +87,13 @@ pub(crate) fn judge(
 }
 
 /// What each agent has more of in one plan than in another.
-fn excess(instance: &Instance, plan: &Plan, other: &Plan, past: &Past) -> Vec<Excess> {
+fn excess(instance: &Instance, plan: &Plan, other: &Plan) -> Vec<Excess> {
     let mut excess = Vec::new();
     for agent in instance.agents() {
         let Some(alone) = instance.alone(&agent.name) else {
             continue;
         };
-        let costs = [plan, other].map(|plan| past.costs(&alone, plan));
+        let costs = [plan, other].map(|plan| check::costs(&alone, plan));
         let [Some(costs), Some(less)] = costs else {
             continue;
         };
@@ -104,9 +106,4 @@ fn excess(instance: &Instance, plan: &Plan, other: &Plan, past: &Past) -> Vec<Ex
         }
     }
     excess
-}
-
-/// The costs of one agent in a plan.
-pub(crate) fn own_costs(instance: &Instance, name: &str, plan: &Plan) -> Option<Costs> {
-    giveway_model::check::costs(&instance.alone(name)?, plan)
 }

@@ -14,10 +14,10 @@ use super::{
     group_mus::{CoreFound, Tried, group_mus},
     own_plan::{Judged, judge},
     own_way,
-    past::Past,
     repairs::{Broken, repairs},
     unsolvable::{self, AnyPlan},
     verdict::Case,
+    whole::Whole,
     words,
 };
 use crate::{Limits, Status, budget::Budget, judged::told};
@@ -75,7 +75,7 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budge
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
         let core = core_of_case(case, answer, budget);
-        let deadline = case.within.map(|time| case.past.time(time));
+        let deadline = case.within.map(|time| case.whole.time(time));
         answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
         word(case, &about, answer);
         tell(answer, Part::Core);
@@ -98,11 +98,11 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
         plan: case.plan,
         verdict: answer.verdict,
         alternative: answer.alternative.as_ref(),
-        within: answer.within.map(|time| case.past.time(time)),
-        past: case.past,
+        within: answer.within.map(|time| case.whole.time(time)),
+        whole: case.whole,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
-        repairs: &case.past.told_repairs(&answer.repairs),
+        repairs: &case.whole.repairs(&answer.repairs),
     });
 }
 
@@ -120,7 +120,7 @@ fn another_could(case: &Case, facts: &[Group]) -> bool {
     let agents = case.instance.agents().iter().enumerate();
     let mut unsaid = agents.filter(|(index, _)| !facts.contains(&Group::Task(*index)));
     unsaid.any(|(_, agent)| {
-        let mut conditions = case.conditions.iter();
+        let mut conditions = case.conditions();
         let could = conditions.any(|condition| condition.agent() == Some(&agent.name));
         could && case.question.agent() != Some(&agent.name)
     })
@@ -195,24 +195,24 @@ pub(crate) fn of_no_plan(
     instance: &Instance,
     within: Option<u32>,
     found: &Found,
-    past: &Past,
+    whole: Whole,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
     (answer.complete, answer.within) = told(found.reach);
-    tell_no_plan(answer, past, Part::Verdict, tell);
+    tell_no_plan(answer, whole, Part::Verdict, tell);
     let searching = |times| AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
         budget: part_of(budget, times),
-        past,
+        whole,
     };
     let mut any_plan = searching(1);
     (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
     budget.absorb(&any_plan.budget);
-    tell_no_plan(answer, past, Part::Witness, tell);
+    tell_no_plan(answer, whole, Part::Witness, tell);
 
     let mut any_plan = searching(1);
     let mut core = unsolvable::core(instance, within, found, &mut any_plan);
@@ -228,9 +228,9 @@ pub(crate) fn of_no_plan(
         find_causes(&refuted, core, &mut any_plan);
         budget.absorb(&any_plan.budget);
     }
-    let deadline = within.map(|time| past.time(time));
+    let deadline = within.map(|time| whole.time(time));
     answer.core = core.as_ref().map(|core| core.core(instance, deadline));
-    tell_no_plan(answer, past, Part::Core, tell);
+    tell_no_plan(answer, whole, Part::Core, tell);
 
     if let Some(core) = &core {
         let mut any_plan = searching(REPAIRS);
@@ -246,15 +246,15 @@ pub(crate) fn of_no_plan(
         answer.exhaustive = found.exhaustive;
         (answer.repairs, answer.further_repairs) = (found.first, found.further);
     }
-    tell_no_plan(answer, past, Part::Repairs, tell);
+    tell_no_plan(answer, whole, Part::Repairs, tell);
 }
 
-fn tell_no_plan(answer: &mut ExplainAnswer, past: &Past, part: Part, tell: Tell) {
+fn tell_no_plan(answer: &mut ExplainAnswer, whole: Whole, part: Part, tell: Tell) {
     answer.words = words::unsolvable(
-        answer.within.map(|time| past.time(time)),
+        answer.within.map(|time| whole.time(time)),
         &answer.witness,
         answer.core.as_ref(),
-        &past.told_repairs(&answer.repairs),
+        &whole.repairs(&answer.repairs),
     );
     tell(answer, part);
 }
@@ -264,15 +264,15 @@ pub(crate) fn of_own_plan(
     instance: &Instance,
     plan: &Plan,
     within: Option<u32>,
-    past: &Past,
+    whole: Whole,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
 ) {
     let objective = instance.objective();
-    let judged: Judged = judge(instance, plan, objective, within, past, budget);
-    let whole = |plan: &Plan| past.told_costs(instance, plan).unwrap_or_default();
-    let better = judged.better.as_ref().map(|(better, _)| whole(better));
-    answer.words = words::own_plan(&judged, objective, &whole(plan), better.as_ref());
+    let judged: Judged = judge(instance, plan, objective, within, whole, budget);
+    let costs_of = |plan: &Plan| whole.costs_of(instance, plan).unwrap_or_default();
+    let better = judged.better.as_ref().map(|(better, _)| costs_of(better));
+    answer.words = words::own_plan(&judged, objective, &costs_of(plan), better.as_ref());
     answer.valid = Some(judged.violations.is_empty());
     answer.optimal = judged.optimal;
     answer.violations = Some(judged.violations);
@@ -286,9 +286,7 @@ pub(crate) fn of_own_plan(
         let proved = found.status == Status::Optimal;
         (answer.complete, answer.within) = told(found.reach.filter(|_| proved));
     }
-    let own = past
-        .costs(instance, plan)
-        .filter(|_| answer.valid == Some(true));
+    let own = judged.costs.filter(|_| answer.valid == Some(true));
     let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);
     if let (Some(least), Some(own)) = (least, own) {
         let more = |cost: Cost| i64::from(least.get(cost)) - i64::from(own.get(cost));

@@ -14,9 +14,9 @@ use super::{
     ask::{Ask, Found, any, best, violations},
     group::{Group, Variant, groups, without},
     group_mus::{CoreFound, Inquiry, Tried, group_mus},
-    past::Past,
     repairs::{Best, Solver},
     soft::{self, Broken},
+    whole::Whole,
 };
 use crate::{Limits, budget::Budget};
 use giveway_model::sorting::set;
@@ -53,8 +53,8 @@ pub(crate) struct AnyPlan<'a, 'h> {
     /// The horizon of the instance as it is.
     pub(crate) horizon: u32,
     pub(crate) budget: Rc<Budget<'h>>,
-    /// What is past already.
-    pub(crate) past: &'a Past,
+    /// The plan of which the instance is the rest.
+    pub(crate) whole: Whole<'a>,
 }
 
 impl AnyPlan<'_, '_> {
@@ -67,12 +67,11 @@ impl AnyPlan<'_, '_> {
         let ask = Ask {
             instance: &variant.instance,
             relaxed: &variant.relaxed,
-            condition: None,
+            conditions: &[],
             objective: self.objective,
             caps: &BTreeMap::new(),
             within: variant.within,
             at_least_within: self.horizon,
-            past: self.past,
         };
         let result = run(&ask, part);
         self.budget.absorb(part);
@@ -167,7 +166,7 @@ pub(crate) fn witness(
         settled &= part.check().is_ok();
         if let Some(broken) = broken {
             settled &= broken.fewest;
-            let mut found = told(instance, class, &broken.plan, any_plan.past);
+            let mut found = violations_of(instance, class, &broken.plan, any_plan.whole);
             // What was counted and what the judge says must be the same.
             if found.len() != broken.count {
                 found.clear();
@@ -183,8 +182,8 @@ pub(crate) fn witness(
 
 /// The violations of a plan that breaks rules of one class, batteries once an
 /// agent; none where it breaks others, too.
-fn told(instance: &Instance, class: Class, plan: &Plan, past: &Past) -> Vec<Violation> {
-    let mut violations = past.check(instance, plan);
+fn violations_of(instance: &Instance, class: Class, plan: &Plan, whole: Whole) -> Vec<Violation> {
+    let mut violations = whole.check(instance, plan);
     let of_class = |rule: Rule| match class {
         Class::Collision => matches!(rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap),
         Class::Obstacle => rule == Rule::Obstacle,

@@ -4,15 +4,19 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Objective, Plan, Question};
+use giveway_model::{Condition, Cost, Costs, Instance, Objective, Plan, Question, check::cost_of};
 
 use super::{
     Verdict,
     ask::{Ask, Found, at_most, best},
-    past::Past,
+    whole::Whole,
 };
 use crate::{
-    Status, budget::Budget, counterfactual::Counterfactuals, problem::Relaxed, search::Reach,
+    Status,
+    budget::Budget,
+    impose::{Unmeetable, ways},
+    problem::Relaxed,
+    search::Reach,
 };
 
 /// A question that fits a valid plan, and what is to be known of both.
@@ -28,12 +32,13 @@ pub(crate) struct Case<'a> {
     pub(crate) optimal: Option<Reach>,
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Reach>,
-    /// What must hold in the other plan: one of these.
-    pub(crate) conditions: Counterfactuals,
+    /// What must hold in the other plan: one of these; an error where no agent could
+    /// do it.
+    pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
-    /// What is past already.
-    pub(crate) past: &'a Past,
+    /// The plan of which the instance is the rest.
+    pub(crate) whole: Whole<'a>,
 }
 
 impl<'a> Case<'a> {
@@ -43,8 +48,10 @@ impl<'a> Case<'a> {
         plan: &'a Plan,
         costs: Costs,
         within: Option<u32>,
-        past: &'a Past,
+        whole: Whole<'a>,
     ) -> Self {
+        let before = |agent: Option<&str>, cost| cost_of(instance, plan, agent, cost);
+        let condition = question.condition(before);
         Self {
             instance,
             question,
@@ -52,8 +59,8 @@ impl<'a> Case<'a> {
             costs,
             optimal: None,
             shown: None,
-            conditions: Counterfactuals::of(question, instance, plan, past),
-            past,
+            conditions: condition.map_or(Ok(Vec::new()), |it| ways(it, instance)),
+            whole,
             // What is at hand is never beyond what is looked at.
             within: within.map(|within| within.max(costs.makespan)),
         }
@@ -63,18 +70,22 @@ impl<'a> Case<'a> {
         self.instance.objective()
     }
 
+    /// What must hold in the other plan: one of these.
+    pub(crate) fn conditions(&self) -> impl Iterator<Item = &Condition> {
+        self.conditions.iter().flatten()
+    }
+
     /// Calls the search with each of the conditions in turn.
     fn each(&self, mut with: impl FnMut(&Ask)) {
-        for condition in self.conditions.iter() {
+        for condition in self.conditions() {
             with(&Ask {
                 instance: self.instance,
                 relaxed: &Relaxed::default(),
-                condition: Some(condition),
+                conditions: std::slice::from_ref(condition),
                 objective: self.objective(),
                 caps: &BTreeMap::new(),
                 within: self.within,
                 at_least_within: self.costs.makespan,
-                past: self.past,
             });
         }
     }
@@ -153,7 +164,7 @@ fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
         all = Some(join(so_far, better));
     });
     // Where there is nobody who could, nobody can.
-    let nobody = case.conditions.nobody_could();
+    let nobody = case.conditions.as_ref().err();
     all.unwrap_or(Found {
         status: if nobody.is_some() {
             Status::Impossible
@@ -162,7 +173,7 @@ fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
         },
         plan: None,
         costs: None,
-        reach: nobody.map(|nobody| Reach::ForEver(nobody.into())),
+        reach: nobody.map(|&nobody| Reach::ForEver(nobody.into())),
         clash: Vec::new(),
         horizon: case.costs.makespan,
     })

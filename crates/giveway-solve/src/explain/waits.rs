@@ -3,14 +3,14 @@
 
 use giveway_model::{Cell, Instance, Path, Plan, Question, check::Violation};
 
-use super::past::Past;
+use super::whole::Whole;
 
 /// The violations that would follow; none where the question is about no wait.
 pub(crate) fn witness(
     instance: &Instance,
     question: &Question,
     plan: &Plan,
-    past: &Past,
+    whole: Whole,
 ) -> Vec<Violation> {
     let Question::Wait {
         agent,
@@ -29,6 +29,7 @@ pub(crate) fn witness(
         from: from.unwrap_or(0) as usize,
         to: to.map_or(usize::MAX, |to| to as usize),
         spared: at_least.map_or(0, |steps| steps.saturating_sub(1)),
+        begun: instance.start_state(agent).waits_begun,
     };
     let Some(path) = other.paths.get_mut(agent) else {
         return Vec::new();
@@ -43,7 +44,7 @@ pub(crate) fn witness(
         now.dedup();
         *charges = now;
     }
-    past.check(instance, &other)
+    whole.check(instance, &other)
 }
 
 /// The wait steps that are asked about.
@@ -53,6 +54,8 @@ struct AskedWaits {
     to: usize,
     /// How many wait steps on end may stay.
     spared: u32,
+    /// How many were made before time 0.
+    begun: u32,
 }
 
 impl AskedWaits {
@@ -60,7 +63,7 @@ impl AskedWaits {
     fn take_out(&self, path: &mut Path) -> Vec<u32> {
         let mut shorter = Path::new();
         let mut moved = Vec::new();
-        let mut run = 0;
+        let mut run = self.begun;
         for (time, &entry) in path.iter().enumerate() {
             let before = time.checked_sub(1).and_then(|before| path.get(before));
             let waits = entry.is_some()
@@ -68,8 +71,10 @@ impl AskedWaits {
                 && self.at.is_none_or(|at| entry == Some(at))
                 && self.from < time
                 && time <= self.to;
-            run = if waits { run + 1 } else { 0 };
-            if run <= self.spared {
+            if time > 0 {
+                run = if waits { run + 1 } else { 0 };
+            }
+            if time == 0 || run <= self.spared {
                 shorter.push(entry);
             }
             moved.push((shorter.len() as u32).saturating_sub(1));

@@ -1,13 +1,14 @@
 //! Certificates of what is claimed of all best plans, each by itself.
 //!
 //! What every best plan has is the contrast of a question turned round: no plan as good
-//! is otherwise. "Must it pass here?" is [`Question::Visit`] with a time, so that each
-//! such claim can be shown by a proof of a plain formula.
+//! is otherwise. "Must it pass here?" is answered where no best plan meets "it is never
+//! here", so that each such claim can be shown by a proof of a plain formula.
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cell, Cost, Instance, Question, sorting::map};
-use giveway_proof::{Claim, Condition};
+use giveway_model::condition::{Act, Times};
+use giveway_model::{Cell, Condition, Cost, Instance, sorting::map};
+use giveway_proof::Claim;
 
 use super::{Closed, CriticalCell, FreedomAnswer, Known, Proved, Visit, critical::scene_without};
 use crate::{Certificate, CertifyRequest, Status};
@@ -65,10 +66,17 @@ impl FreedomAnswer {
         });
         let visits = visits.filter(move |(_, agent, visit)| wanted(&agent.name, visit));
         visits.flat_map(move |(number, agent, visit)| {
-            let questions = questions(&agent.name, visit).into_iter();
-            questions.map(move |(what, question)| Certificate {
+            let excluded = excluded(visit).into_iter();
+            excluded.map(move |(what, act)| Certificate {
                 name: format!("robot-{number}-{what}-{}", visit.time),
-                request: self.of_backbone(instance, question),
+                request: self.of_backbone(
+                    instance,
+                    Condition::Never {
+                        agent: agent.name.clone(),
+                        act,
+                        times: Times::at(Some(visit.time)),
+                    },
+                ),
             })
         })
     }
@@ -86,13 +94,13 @@ impl FreedomAnswer {
         }
     }
 
-    /// That no plan as good is as a question contrasts this one with.
-    fn of_backbone(&self, instance: &Instance, question: Question) -> CertifyRequest {
+    /// That no plan as good meets a condition.
+    fn of_backbone(&self, instance: &Instance, condition: Condition) -> CertifyRequest {
         CertifyRequest {
             scene: instance.to_scene(),
             about: Claim {
                 most: self.best(),
-                condition: Some(Condition::Contrast(question)),
+                condition: Some(condition),
                 ..Claim::default()
             },
             impossible: true,
@@ -143,22 +151,18 @@ impl FreedomAnswer {
     }
 }
 
-/// The questions that ask why something is so that every best plan has. Where an agent
-/// is in transit follows from where it is before and after; where it begins is no
-/// choice.
-fn questions(agent: &str, visit: &Visit) -> Vec<(&'static str, Question)> {
-    let mut questions = Vec::new();
+/// What every best plan has, so that no best plan is without it. Where an agent is in
+/// transit follows from where it is before and after; where it begins is no choice.
+fn excluded(visit: &Visit) -> Vec<(&'static str, Act)> {
+    let mut excluded = Vec::new();
     let Some(at) = visit.cell else {
-        return questions;
+        return excluded;
     };
-    let time = Some(visit.time);
     if visit.always == Known::Yes && visit.time > 0 {
-        let agent = agent.to_owned();
-        questions.push(("at", Question::Visit { agent, at, time }));
+        excluded.push(("at", Act::Visit(at)));
     }
     if visit.charge.is_some_and(|it| it.always == Known::Yes) {
-        let (agent, at) = (agent.to_owned(), Some(at));
-        questions.push(("charges", Question::Charge { agent, at, time }));
+        excluded.push(("charges", Act::Charge(Some(at))));
     }
-    questions
+    excluded
 }

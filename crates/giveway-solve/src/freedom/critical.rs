@@ -223,7 +223,7 @@ fn need(instance: &Instance, cell: Cell) -> Option<Need> {
     let any = |needs: &dyn Fn(&giveway_model::Agent) -> bool| instance.agents().iter().any(needs);
     if any(&|agent| agent.start == cell) {
         Some(Need::Start)
-    } else if any(&|agent| agent.goal == cell) {
+    } else if any(&|agent| agent.goal == Some(cell)) {
         Some(Need::Goal)
     } else if any(&|agent| agent.waypoints.contains(&cell)) {
         Some(Need::Waypoint)

@@ -60,9 +60,12 @@ impl<'a, 'h> Every<'a, 'h> {
     /// Where an agent is at a time on a way: after its arrival at its goal where it
     /// stays, and nowhere where it vanishes.
     pub(super) fn place(&self, agent: usize, way: &Way, time: u32) -> Option<Place> {
-        let goal = || Place::At(self.problem.tasks[agent].goal);
-        way.at(time)
-            .or_else(|| self.problem.rests(agent).then(goal))
+        let task = &self.problem.tasks[agent];
+        let end = || {
+            task.end_of(&way.places)
+                .filter(|_| self.problem.rests(agent))
+        };
+        way.at(time).or_else(end)
     }
 
     /// Ways as a plan.

@@ -42,12 +42,17 @@ impl Distance {
                 return Ok(());
             }
         }
+        // Agents that rest anywhere differ for as long as one counts: no number of
+        // entries is the most.
+        if every.problem.tasks.iter().any(|task| task.goal.is_none()) {
+            return Ok(());
+        }
         let same: Vec<Lit> = every.marks(&own);
         if same.len() > MOST_ENTRIES {
             return Ok(());
         }
         // "More than k entries are the same", so that at least n - k differ.
-        let sum = totalizer(&same, every.formula.clauses());
+        let sum = totalizer(&same, every.formula.clauses())?;
         let mut most = same.len() as u32;
         loop {
             let best = farthest(every).map_or(0, |(_, differs)| differs);

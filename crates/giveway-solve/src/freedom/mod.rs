@@ -1,4 +1,4 @@
-//! What must be so: what all best plans have in common, and what is free to choose.
+//! What all best plans share, and what is free to choose.
 
 mod answer;
 mod backbone;

@@ -1,4 +1,4 @@
-//! What must be so, in sentences: one text for the page and the command.
+//! What all best plans share, in sentences: one text for the page and the command.
 
 use giveway_model::words::{grouped, name, value, values};
 use giveway_model::{Cost, Objective, tr};
@@ -27,7 +27,7 @@ pub fn headline(answer: &FreedomAnswer) -> Headline {
         Status::Feasible => say(
             tr!("Not proved best"),
             tr!(
-                ": {costs}. What must be so is only known of best plans.",
+                ": {costs}. What all best plans share is only known of best plans.",
                 costs
             ),
         ),

@@ -1,28 +1,32 @@
 //! The states and steps of one agent.
 
 use super::{
-    Joint, Paid,
+    Joint,
     event::{Event, follow},
+    tally::Tally,
 };
-use crate::single::{Place, State};
+use crate::{
+    single::{Place, State},
+    terrain::Vertex,
+};
 
 /// The state of one agent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Single {
     /// On its way.
     Going {
         place: Place,
         mask: u32,
         battery: u32,
-        /// The time, as far as a demand on the agent looks at it.
+        /// The time, as far as conditions on the agent look at it.
         clock: u32,
-        /// Events that a demand on the agent counts.
+        /// What conditions on the agent count.
         count: u32,
     },
-    /// Arrived this very time step, under `vanish`: it still holds its goal.
-    Leaving,
-    /// Arrived for good.
-    Arrived,
+    /// Arrived this very time step, under `vanish`: it still holds this vertex.
+    Leaving(Vertex),
+    /// Arrived for good; it rests at a vertex, or is gone.
+    Arrived(Option<Vertex>),
 }
 
 /// A step of one agent.
@@ -31,12 +35,12 @@ pub(super) struct Move {
     pub(super) to: Single,
     /// The arc that is crossed in this step.
     pub(super) arc: Option<u32>,
-    pub(super) cost: Paid,
+    pub(super) cost: Tally,
 }
 
 impl Single {
     pub(super) const fn has_arrived(self) -> bool {
-        matches!(self, Self::Leaving | Self::Arrived)
+        matches!(self, Self::Leaving(_) | Self::Arrived(_))
     }
 }
 
@@ -51,28 +55,27 @@ impl Joint<'_> {
             clock,
             ..
         } = state
-            && task.is_end(v, mask)
-            && task.not_before <= clock
+            && task.may_end(v, mask, clock)
             && clock <= task.not_after()
         {
             choices.push(if self.problem.rests(self.agents[i]) {
-                Single::Arrived
+                Single::Arrived(Some(v))
             } else {
-                Single::Leaving
+                Single::Leaving(v)
             });
         }
         choices
     }
 
     /// The vertex that an agent holds.
-    pub(super) fn stands(&self, i: usize, state: Single) -> Option<u32> {
+    pub(super) const fn stands(state: Single) -> Option<Vertex> {
         match state {
             Single::Going {
                 place: Place::At(v),
                 ..
-            } => Some(v),
-            Single::Leaving => Some(self.task(i).goal),
-            Single::Arrived if self.problem.rests(self.agents[i]) => Some(self.task(i).goal),
+            }
+            | Single::Leaving(v)
+            | Single::Arrived(Some(v)) => Some(v),
             _ => None,
         }
     }
@@ -86,10 +89,11 @@ impl Joint<'_> {
             count,
         } = state
         else {
+            let rests = matches!(state, Single::Arrived(_));
             return vec![Move {
-                to: Single::Arrived,
+                to: if rests { state } else { Single::Arrived(None) },
                 arc: None,
-                cost: Paid::default(),
+                cost: Tally::default(),
             }];
         };
         let mut moves = Vec::new();

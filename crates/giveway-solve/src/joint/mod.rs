@@ -7,12 +7,18 @@
 mod agent;
 mod event;
 mod search;
+mod states;
+mod tally;
 
 use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Objective};
 
-use self::{agent::Single, event::Event};
+use self::{
+    agent::Single,
+    event::Event,
+    tally::{Counted, Tally},
+};
 use crate::{
     budget::{Budget, Stop},
     encode::collisions::AgentId,
@@ -23,19 +29,20 @@ use crate::{
 
 /// Joint steps to look at before giving up.
 const MOST_STEPS: usize = 1_500_000;
-/// Agents beyond which only the smallest maps are small enough.
+/// Agents whose joint states are always worth the try.
 const MOST_AGENTS: usize = 3;
-
-/// Joint states up to which they are exhausted before anything else is tried.
-const FEW_STATES: usize = 200_000;
+/// Joint states, by the states of each agent alone, up to which those of more agents are
+/// worth it: few of them can be reached, as no two agents are in one cell.
+const MANY_STATES: usize = 4_000_000;
 
 /// Whether there are so few joint states that they are best exhausted at once.
-pub(crate) fn is_small(problem: &Problem) -> bool {
-    has_few_states(problem, 0..problem.agents())
+pub(crate) fn is_small(problem: &Problem, budget: &Budget) -> bool {
+    joint_states(problem, 0..problem.agents()) <= budget.thresholds().few_joint_states
 }
 
-/// Whether some agents have so few joint states among themselves.
-fn has_few_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> bool {
+/// The product of the numbers of states that agents have alone: no fewer than their joint
+/// states.
+fn joint_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> usize {
     let states = agents.map(|agent| {
         let task = &problem.tasks[agent];
         let cells = problem.terrain.size();
@@ -43,47 +50,22 @@ fn has_few_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> b
             .saturating_mul(task.masks())
             .saturating_mul(task.levels())
     });
-    states.fold(1, usize::saturating_mul) <= FEW_STATES
+    states.fold(1, usize::saturating_mul)
 }
 
 /// Whether it is worth the try to exhaust the joint states of some agents.
 fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
-    let few = agents.len() <= MOST_AGENTS || has_few_states(problem, agents.iter().copied());
-    few && !agents.is_empty()
-}
-
-/// What is paid so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Paid {
-    /// Costs in the order of an objective, the rest 0.
-    costs: [u32; 5],
-    /// Costs that are limited, the rest 0.
-    used: [u32; 5],
-}
-
-impl Paid {
-    fn and(mut self, more: Self) -> Self {
-        let more_of_all = more.costs.into_iter().chain(more.used);
-        for (paid, more) in self.costs.iter_mut().chain(&mut self.used).zip(more_of_all) {
-            *paid = paid.saturating_add(more);
-        }
-        self
-    }
-}
-
-/// The values of up to five costs, the rest 0.
-fn each(costs: impl Iterator<Item = Cost>, of: impl Fn(Cost) -> u32) -> [u32; 5] {
-    let mut values = [0; 5];
-    for (value, cost) in values.iter_mut().zip(costs) {
-        *value = of(cost);
-    }
-    values
+    let few =
+        agents.len() <= MOST_AGENTS || joint_states(problem, agents.iter().copied()) <= MANY_STATES;
+    let counted = |&agent: &AgentId| event::can_count(&problem.tasks[agent]);
+    few && !agents.is_empty() && agents.iter().all(counted)
 }
 
 /// What exhausting the states has shown.
 enum Ended {
-    /// The best plan at any horizon: what it costs, and its states over time.
-    Best(Paid, Vec<Vec<Single>>),
+    /// The best plan at any horizon: its costs, in the order of the objective, and its states
+    /// over time.
+    Best(Vec<u32>, Vec<Vec<Single>>),
     /// There is no plan at any horizon: no state is left to look at.
     None,
     /// There were too many states.
@@ -92,17 +74,17 @@ enum Ended {
 
 /// What is known of some agents among themselves, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Exhausted<T> {
+pub(crate) enum Exhausted<T, P = AllStates> {
     /// The best plan, or its cost.
-    Best(T, AllStates),
+    Best(T, P),
     /// There is no plan.
-    None(AllStates),
+    None(P),
     /// There were too many states.
     TooMany,
 }
 
 /// The proof of it: all joint states were looked at that could be reached for
-/// less. Only the search of joint states makes it.
+/// less, however late. Only the search of joint states makes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct AllStates(());
 
@@ -124,7 +106,7 @@ pub(crate) fn any(
     budget: &Budget,
 ) -> Result<Exhausted<()>, Stop> {
     let outcome = run(problem, agents, &[], &NO_LIMITS, budget)?;
-    Ok(outcome.map(|_, _| ()))
+    Ok(outcome.map(|_, _| (), AllStates(())))
 }
 
 /// The least value of a cost of some agents among themselves.
@@ -138,7 +120,7 @@ pub(crate) fn least(
     budget: &Budget,
 ) -> Result<Exhausted<u32>, Stop> {
     let outcome = run(problem, agents, &[cost], &NO_LIMITS, budget)?;
-    Ok(outcome.map(|paid, _| paid.costs[0]))
+    Ok(outcome.map(|vector, _| vector[0], AllStates(())))
 }
 
 /// The plan of all agents with the least makespan.
@@ -146,34 +128,41 @@ pub(crate) fn least(
 /// # Errors
 /// When the budget is spent.
 pub(crate) fn soonest(problem: &Problem, budget: &Budget) -> Result<Exhausted<BestPlan>, Stop> {
-    best_of(problem, &[Cost::Makespan], &NO_LIMITS, budget)
+    let shown = AllStates(());
+    best_of(problem, &[Cost::Makespan], &NO_LIMITS, shown, budget)
 }
 
-/// The best plan of all agents of those that keep within limits of their costs.
+/// The best plan of all agents of those that keep within limits of their costs. Where
+/// none is looked for that ends after a `latest` time, nothing is shown of later ones.
 ///
 /// # Errors
 /// When the budget is spent.
 pub(crate) fn best(
     problem: &Problem,
     objective: &Objective,
-    limits: &BTreeMap<Cost, u32>,
+    (limits, latest): (&BTreeMap<Cost, u32>, Option<u32>),
     budget: &Budget,
-) -> Result<Exhausted<BestPlan>, Stop> {
-    best_of(problem, objective.costs(), limits, budget)
+) -> Result<Exhausted<BestPlan, Option<AllStates>>, Stop> {
+    let mut limits = limits.clone();
+    limits.extend(latest.map(|latest| (Cost::Makespan, latest)));
+    let shown = latest.is_none().then_some(AllStates(()));
+    best_of(problem, objective.costs(), &limits, shown, budget)
 }
 
-fn best_of(
+fn best_of<P>(
     problem: &Problem,
     costs: &[Cost],
     limits: &BTreeMap<Cost, u32>,
+    shown: P,
     budget: &Budget,
-) -> Result<Exhausted<BestPlan>, Stop> {
+) -> Result<Exhausted<BestPlan, P>, Stop> {
     let all: Vec<AgentId> = (0..problem.agents()).collect();
     let outcome = run(problem, &all, costs, limits, budget)?;
-    Ok(outcome.map(|paid, way| BestPlan {
-        vector: paid.costs[..costs.len()].to_vec(),
+    let plan = |vector: Vec<u32>, way: &[Vec<Single>]| BestPlan {
+        vector,
         walks: all.iter().map(|&agent| walk(problem, agent, way)).collect(),
-    }))
+    };
+    Ok(outcome.map(plan, shown))
 }
 
 /// Where nothing is limited.
@@ -192,8 +181,7 @@ fn run(
     let search = Joint {
         problem,
         agents,
-        costs,
-        limits: limits.iter().map(|(&cost, &most)| (cost, most)).collect(),
+        counted: Counted::new(costs, limits),
     };
     let most = MOST_STEPS.min(usize::try_from(budget.joint_left()).unwrap_or(MOST_STEPS));
     let mut steps = 0;
@@ -203,10 +191,14 @@ fn run(
 }
 
 impl Ended {
-    fn map<T>(self, best: impl FnOnce(Paid, &[Vec<Single>]) -> T) -> Exhausted<T> {
+    fn map<T, P>(
+        self,
+        best: impl FnOnce(Vec<u32>, &[Vec<Single>]) -> T,
+        shown: P,
+    ) -> Exhausted<T, P> {
         match self {
-            Self::Best(paid, way) => Exhausted::Best(best(paid, &way), AllStates(())),
-            Self::None => Exhausted::None(AllStates(())),
+            Self::Best(vector, way) => Exhausted::Best(best(vector, &way), shown),
+            Self::None => Exhausted::None(shown),
             Self::TooMany => Exhausted::TooMany,
         }
     }
@@ -218,16 +210,18 @@ impl Ended {
 /// has arrived there: it has arrived as soon as it stays.
 fn walk(problem: &Problem, agent: AgentId, way: &[Vec<Single>]) -> Walk {
     let task = &problem.tasks[agent];
-    let goal = Place::At(task.goal);
     let mut walk = Walk::new();
     for states in way {
-        let Some(Single::Going { place, .. }) = states.get(agent) else {
-            walk.push(goal);
-            break;
-        };
-        walk.push(*place);
+        match states.get(agent) {
+            Some(Single::Going { place, .. }) => walk.push(*place),
+            Some(Single::Leaving(v) | Single::Arrived(Some(v))) => {
+                walk.push(Place::At(*v));
+                break;
+            }
+            Some(Single::Arrived(None)) | None => break,
+        }
     }
-    while walk.len() > task.not_before as usize + 1 && walk.ends_with(&[goal, goal]) {
+    while walk.len() > task.not_before as usize + 1 && task.ends_with_rest(&walk) {
         walk.pop();
     }
     walk
@@ -237,28 +231,12 @@ fn walk(problem: &Problem, agent: AgentId, way: &[Vec<Single>]) -> Walk {
 struct Joint<'a> {
     problem: &'a Problem,
     agents: &'a [AgentId],
-    costs: &'a [Cost],
-    /// The most that all of them together may pay of some costs.
-    limits: Vec<(Cost, u32)>,
+    counted: Counted,
 }
 
 impl Joint<'_> {
     /// What an agent's step adds to the costs.
-    fn costs(&self, event: Event) -> Paid {
-        self.paid(|cost| event.costs(cost))
-    }
-
-    fn paid(&self, of: impl Fn(Cost) -> u32) -> Paid {
-        let of_limits = self.limits.iter().map(|&(cost, _)| cost);
-        Paid {
-            costs: each(self.costs.iter().copied(), &of),
-            used: each(of_limits, &of),
-        }
-    }
-
-    /// Whether no more is used of a cost than its limit allows.
-    fn keeps_limits(&self, used: [u32; 5]) -> bool {
-        let mut limits = self.limits.iter().zip(used);
-        limits.all(|(&(_, most), used)| used <= most)
+    fn costs(&self, event: Event) -> Tally {
+        self.counted.tally(|cost| event.costs(cost))
     }
 }

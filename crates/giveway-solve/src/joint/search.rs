@@ -1,33 +1,64 @@
-//! Dijkstra over joint states, each agent's state being its place, its waypoints
-//! and its battery. What is paid are the costs of an objective in their order:
-//! each is a sum over steps, so that comparing them in order loses no best plan.
+//! A* (Hart, Nilsson and Raphael 1968) over joint states, each agent's state being its place,
+//! its waypoints and its battery. Costs are those of an objective in their order: each is a sum
+//! over steps, so that comparing them in order loses no best plan. The estimate is what agents
+//! still pay alone, from exact tables, as in Standley (2010); it never overestimates a cost, so
+//! it does not overestimate the costs in their order, either.
+//!
+//! A joint state is a row of numbers, one for each agent's own state, and what is used of costs
+//! that are limited.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap};
+use std::collections::BinaryHeap;
 use std::rc::Rc;
 
 use giveway_model::Cost;
 
 use super::{
-    Ended, Joint, Paid,
-    agent::{Move, Single},
+    Ended, Joint,
+    agent::Single,
+    event::first_count,
+    states::{StateId, States, Step, Table, to_go},
+    tally::Tally,
 };
 use crate::{
-    budget::{Budget, Stop},
-    counterfactual::Precedence,
+    budget::{Budget, Held, Stop},
+    impose::Precedence,
     single::Task,
 };
 
-/// A joint state: those of the agents, and what is used of limited costs.
-type States = Rc<(Vec<Single>, [u32; 5])>;
+/// A joint state that was reached, in the order in which they were.
+type NodeId = u32;
 
-/// The least paid for a state, and the state before it.
-struct Reached {
-    paid: Paid,
-    before: Option<States>,
+/// The memory of a node's number, and of its key beside its values, about.
+const BYTES_OF_ENTRY: usize = 48;
+
+/// A joint state that was reached.
+struct Node {
+    /// Each agent's state, then what is used of limited costs.
+    key: Rc<[u32]>,
+    /// The least paid for it so far.
+    paid: Tally,
+    before: Option<NodeId>,
+}
+
+/// What a plan by way of a node costs at the least, the steps that agents need from there, the
+/// node, and what was paid for it then.
+type Open = Reverse<(Tally, u32, NodeId, Tally)>;
+
+/// A search that is under way.
+struct Search<'a> {
+    joint: &'a Joint<'a>,
+    states: Vec<States<'a>>,
+    nodes: Vec<Node>,
+    numbers: Table<Rc<[u32]>>,
+    open: BinaryHeap<Open>,
+    budget: &'a Budget<'a>,
+    held: Held,
 }
 
 impl Joint<'_> {
+    /// Looks at up to `most` joint steps, and counts them.
+    ///
     /// # Errors
     /// When the budget is spent.
     pub(super) fn run(
@@ -36,42 +67,36 @@ impl Joint<'_> {
         steps: &mut usize,
         budget: &Budget,
     ) -> Result<Ended, Stop> {
-        let mut reached: BTreeMap<States, Reached> = BTreeMap::new();
-        let mut heap = BinaryHeap::new();
+        let states = (0..self.agents.len()).map(|i| States::new(self, i, budget));
+        let mut search = Search {
+            joint: self,
+            states: states.collect::<Result<_, Stop>>()?,
+            nodes: Vec::new(),
+            numbers: Table::default(),
+            open: BinaryHeap::new(),
+            budget,
+            held: Held::default(),
+        };
         for (start, paid) in self.starts() {
-            if !self.keeps_limits(paid.used) {
-                continue;
+            let numbers = search.states.iter_mut().zip(start);
+            let numbers: Option<Vec<StateId>> = numbers
+                .map(|(states, start)| states.number(start))
+                .collect();
+            if let Some(numbers) = numbers {
+                search.reach(&numbers, paid, None);
             }
-            let start = Rc::new((start, paid.used));
-            let before = None;
-            reached.insert(Rc::clone(&start), Reached { paid, before });
-            heap.push(Reverse((paid, start)));
         }
-        while let Some(Reverse((paid, states))) = heap.pop() {
+        while let Some(Reverse((_, _, id, paid))) = search.open.pop() {
             budget.tick()?;
-            if reached.get(&states).is_some_and(|best| best.paid < paid) {
-                continue;
+            if search.nodes[id as usize].paid != paid {
+                continue; // reached for less since
             }
-            if states.0.iter().all(|state| state.has_arrived()) {
-                let way = way(&reached, states);
-                return Ok(Ended::Best(paid, way));
+            if search.has_arrived(id) {
+                return Ok(Ended::Best(self.counted.vector(paid), search.way(id)));
             }
-            let successors = self.successors(&states.0);
-            *steps += successors.len();
-            budget.spend(successors.len() as u64)?;
-            for (next, cost) in successors {
-                let paid = paid.and(cost);
-                if !self.keeps_limits(paid.used) {
-                    continue;
-                }
-                let next = (next, paid.used);
-                if reached.get(&next).is_none_or(|best| paid < best.paid) {
-                    let next = Rc::new(next);
-                    let before = Some(Rc::clone(&states));
-                    reached.insert(Rc::clone(&next), Reached { paid, before });
-                    heap.push(Reverse((paid, next)));
-                }
-            }
+            let looked_at = search.expand(id, paid);
+            *steps += looked_at;
+            budget.spend(looked_at as u64)?;
             if *steps > most {
                 return Ok(Ended::TooMany);
             }
@@ -83,9 +108,10 @@ impl Joint<'_> {
         &self.problem.tasks[self.agents[i]]
     }
 
-    /// The states at time 0. Who could have stayed where it is pays for going on.
-    fn starts(&self) -> Vec<(Vec<Single>, Paid)> {
-        let mut joint = vec![(Vec::new(), Paid::default())];
+    /// The states at time 0. An agent that begins at its goal with nothing left to do, and goes on
+    /// all the same, pays for the time since it arrived.
+    fn starts(&self) -> Vec<(Vec<Single>, Tally)> {
+        let mut joint = vec![(Vec::new(), Tally::default())];
         for i in 0..self.agents.len() {
             let task = self.task(i);
             let Some(state) = task.first() else {
@@ -96,7 +122,7 @@ impl Joint<'_> {
                 mask: state.mask,
                 battery: state.battery,
                 clock: 0,
-                count: 0,
+                count: first_count(task),
             };
             let choices = self.or_arrived(i, first);
             let mut longer = Vec::new();
@@ -110,90 +136,148 @@ impl Joint<'_> {
             }
             joint = longer;
         }
-        joint.retain(|(state, _)| self.is_in_order(state));
+        joint.retain(|(state, _)| self.is_in_order(None, state));
         joint
     }
 
     /// What an agent pays not to have arrived at time 0.
-    fn going_on(&self, task: &Task, state: Single) -> Paid {
+    fn going_on(&self, task: &Task, state: Single) -> Tally {
         if state.has_arrived() {
-            return Paid::default();
+            return Tally::default();
         }
-        self.paid(|cost| match cost {
+        self.counted.tally(|cost| match cost {
             Cost::SumOfCosts => task.woken,
             Cost::Waits => task.stood,
-            _ => 0,
+            Cost::Makespan | Cost::Charges | Cost::Moves => 0,
         })
     }
 
-    /// Whether who has to be somewhere first has been there, if the other is.
-    fn is_in_order(&self, state: &[Single]) -> bool {
-        let Some(Precedence { first, second, at }) = self.problem.precedence else {
-            return true;
-        };
+    /// Whether the first agents of precedences have been there before, where the second
+    /// are.
+    fn is_in_order(&self, before: Option<&[Single]>, state: &[Single]) -> bool {
         let number = |agent| self.agents.iter().position(|&other| other == agent);
-        let (Some(first), Some(second)) = (number(first), number(second)) else {
-            return true;
-        };
-        if self.stands(second, state[second]) != Some(at) {
-            return true;
-        }
-        match state[first] {
-            Single::Going { mask, .. } => mask & self.task(first).bit(at) != 0,
-            Single::Leaving | Single::Arrived => true,
-        }
+        let mut precedences = self.problem.precedences.iter();
+        precedences.all(|&Precedence { first, second }| {
+            let (Some(one), Some(other)) = (number(first.0), number(second.0)) else {
+                return true;
+            };
+            Self::stands(state[other]) != Some(second.1)
+                || before.is_some_and(|before| match before[one] {
+                    Single::Going { mask, .. } => mask & self.task(one).bit(first.1) != 0,
+                    Single::Leaving(_) | Single::Arrived(_) => true,
+                })
+        })
     }
 
-    /// All joint states one step on, with what the step costs.
-    fn successors(&self, state: &[Single]) -> Vec<(Vec<Single>, Paid)> {
-        let moves: Vec<Vec<Move>> = (0..state.len()).map(|i| self.moves(i, state[i])).collect();
-        let mut found = Vec::new();
-        let mut chosen = Vec::new();
-        self.combine(&moves, &mut chosen, &mut found);
-        found.retain(|(state, _)| self.is_in_order(state));
-        found
-    }
-
-    fn combine(
-        &self,
-        moves: &[Vec<Move>],
-        chosen: &mut Vec<Move>,
-        found: &mut Vec<(Vec<Single>, Paid)>,
-    ) {
+    /// Calls `take` with each way to go on at once without a collision.
+    fn combine(&self, steps: &[Rc<[Step]>], chosen: &mut Vec<Step>, take: &mut dyn FnMut(&[Step])) {
         let i = chosen.len();
-        let Some(choices) = moves.get(i) else {
-            let state = chosen.iter().map(|m| m.to).collect();
-            // Somebody has not arrived yet.
-            let time = self.paid(|cost| u32::from(cost == Cost::Makespan));
-            let paid = chosen.iter().fold(time, |paid, m| paid.and(m.cost));
-            found.push((state, paid));
-            return;
+        let Some(choices) = steps.get(i) else {
+            return take(chosen);
         };
-        for &choice in choices {
-            let place = self.stands(i, choice.to);
-            let free = chosen.iter().enumerate().all(|(j, other)| {
-                let meet = place.is_some() && place == self.stands(j, other.to);
-                let swap = choice.arc.is_some() && choice.arc == other.arc.map(|arc| arc ^ 1);
-                let collide = self.problem.collide(self.agents[i], self.agents[j]);
-                !(collide && (meet || swap))
+        for &step in choices.iter() {
+            let is_free = chosen.iter().enumerate().all(|(j, other)| {
+                let meet = step.stands.is_some() && step.stands == other.stands;
+                let swap = step.arc.is_some() && step.arc == other.arc.map(|arc| arc ^ 1);
+                !(meet || swap) || !self.problem.collide(self.agents[i], self.agents[j])
             });
-            if free {
-                chosen.push(choice);
-                self.combine(moves, chosen, found);
+            if is_free {
+                chosen.push(step);
+                self.combine(steps, chosen, take);
                 chosen.pop();
             }
         }
     }
 }
 
-/// The states up to a last one, from the first on.
-fn way(reached: &BTreeMap<States, Reached>, last: States) -> Vec<Vec<Single>> {
-    let mut way = Vec::new();
-    let mut next = Some(last);
-    while let Some(states) = next {
-        next = reached.get(&states).and_then(|it| it.before.clone());
-        way.push(states.0.clone());
+impl Search<'_> {
+    /// The numbers of the agents' own states in a joint state.
+    fn numbers(&self, id: NodeId) -> &[StateId] {
+        &self.nodes[id as usize].key[..self.states.len()]
     }
-    way.reverse();
-    way
+
+    /// The agents' own states in a joint state.
+    fn singles(&self, numbers: &[StateId]) -> Vec<Single> {
+        let numbers = self.states.iter().zip(numbers);
+        numbers.map(|(states, &id)| states.state(id)).collect()
+    }
+
+    fn has_arrived(&self, id: NodeId) -> bool {
+        let mut singles = self.states.iter().zip(self.numbers(id));
+        singles.all(|(states, &id)| states.state(id).has_arrived())
+    }
+
+    /// Reaches all joint states that follow one; the number of steps that lead there.
+    fn expand(&mut self, id: NodeId, paid: Tally) -> usize {
+        let numbers: Vec<StateId> = self.numbers(id).to_vec();
+        let own = self.states.iter_mut().zip(&numbers);
+        let steps: Vec<Rc<[Step]>> = own.map(|(states, &id)| states.steps(id)).collect();
+        let joint = self.joint;
+        let before = (!joint.problem.precedences.is_empty()).then(|| self.singles(&numbers));
+        // Somebody has not arrived yet.
+        let time = joint
+            .counted
+            .tally(|cost| u32::from(cost == Cost::Makespan));
+        let (mut next, mut looked_at) = (Vec::new(), 0);
+        joint.combine(&steps, &mut Vec::new(), &mut |chosen| {
+            looked_at += 1;
+            next.clear();
+            next.extend(chosen.iter().map(|step| step.to));
+            let is_in_order = before
+                .as_ref()
+                .is_none_or(|before| joint.is_in_order(Some(before), &self.singles(&next)));
+            if is_in_order {
+                let paid = chosen
+                    .iter()
+                    .fold(paid.and(time), |paid, step| paid.and(step.cost));
+                self.reach(&next, paid, Some(id));
+            }
+        });
+        looked_at
+    }
+
+    /// Notes that a joint state is reached, where it was not for as little.
+    fn reach(&mut self, numbers: &[StateId], paid: Tally, before: Option<NodeId>) {
+        let counted = &self.joint.counted;
+        let least = paid.and(to_go(counted, &self.states, numbers));
+        if !counted.keeps_limits(least) {
+            return;
+        }
+        let key: Rc<[u32]> = numbers
+            .iter()
+            .chain(counted.limited(&paid))
+            .copied()
+            .collect();
+        let id = if let Some(&id) = self.numbers.get(&key) {
+            let node = &mut self.nodes[id as usize];
+            if paid >= node.paid {
+                return;
+            }
+            (node.paid, node.before) = (paid, before);
+            id
+        } else {
+            let bytes = size_of::<Node>() + size_of_val(&*key) + BYTES_OF_ENTRY;
+            self.budget.hold_more(&mut self.held, bytes);
+            let id = self.nodes.len() as NodeId;
+            self.numbers.insert(Rc::clone(&key), id);
+            self.nodes.push(Node { key, paid, before });
+            id
+        };
+        let own = self.states.iter().zip(numbers);
+        let steps_to_go = own.map(|(states, &id)| states.steps_to_go(id)).sum();
+        self.budget.hold_more(&mut self.held, size_of::<Open>());
+        self.open.push(Reverse((least, steps_to_go, id, paid)));
+    }
+
+    /// The joint states up to a last one, from the first on.
+    fn way(&self, last: NodeId) -> Vec<Vec<Single>> {
+        let mut way = Vec::new();
+        let mut next = Some(last);
+        while let Some(id) = next {
+            way.push(self.singles(self.numbers(id)));
+            next = self.nodes[id as usize].before;
+        }
+        way.reverse();
+        way
+    }
 }

@@ -88,6 +88,11 @@ pub struct StuckAgent {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "what", rename_all = "kebab-case")]
 pub enum Lack {
+    /// An agent without a goal.
+    NoGoal {
+        /// Which one.
+        agent: String,
+    },
     /// Batteries.
     Batteries {
         /// An agent that has one.

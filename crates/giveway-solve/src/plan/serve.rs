@@ -191,13 +191,14 @@ fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
 fn told(lack: Inability, teller: &Teller) -> Lack {
     let name = |agent| teller.name(agent);
     match lack {
+        Inability::NoGoal(agent) => Lack::NoGoal { agent: name(agent) },
         Inability::Battery(agent) => Lack::Batteries { agent: name(agent) },
         Inability::Waypoints(agent) => Lack::Waypoints { agent: name(agent) },
         Inability::SlowZones => Lack::SlowZones,
         Inability::SharedGoal(a, b) => Lack::SharedGoals {
             agents: [name(a), name(b)],
         },
-        Inability::Demand(_) | Inability::Relaxed => Lack::Questions,
+        Inability::Condition(_) | Inability::Relaxed => Lack::Questions,
         Inability::Cost(cost) => Lack::Cost { cost },
     }
 }

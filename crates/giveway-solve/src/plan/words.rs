@@ -125,6 +125,7 @@ fn is_stuck(stuck: &StuckAgent) -> String {
 /// What follows the name of the planner.
 fn cannot(lack: &Lack) -> String {
     match lack {
+        Lack::NoGoal { agent } => tr!("needs a goal for each robot, and {agent} has none", agent),
         Lack::Batteries { agent } => tr!("cannot plan for batteries, and {agent} has one", agent),
         Lack::Waypoints { agent } => tr!("cannot plan for waypoints, and {agent} has some", agent),
         Lack::ManyWaypoints { agent } => {

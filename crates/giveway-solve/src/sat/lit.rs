@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::Not;
 
+use crate::budget::Stop;
+
 /// A literal: a variable (from 0) or its negation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Lit(u32);
@@ -52,4 +54,10 @@ pub(crate) trait Clauses {
 
     /// Adds the disjunction of some literals.
     fn clause(&mut self, lits: &[Lit]);
+
+    /// Whether to go on writing.
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    fn check(&self) -> Result<(), Stop>;
 }

@@ -6,11 +6,9 @@
 //! model is dear too, as it decides every variable, and varisat cannot be
 //! stopped within one.
 
-use super::{Lit, Sat};
+use super::{Core, Lit, Sat};
 use crate::budget::Stop;
 
-/// Cores of so many literals are not worth a try.
-const SMALL_CORE: usize = 4;
 /// Assumptions found to be needed before the rest is taken to be so, too.
 const MOST_FAILURES: usize = 20;
 /// Clauses that may be derived before no further call is begun.
@@ -22,15 +20,16 @@ impl Sat<'_> {
     ///
     /// # Errors
     /// When the budget is spent; the solver is lost then.
-    pub(crate) fn minimise(&mut self, proved: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
-        if proved.len() <= SMALL_CORE {
+    pub(crate) fn minimise(&mut self, proved: Core) -> Result<Core, Stop> {
+        if proved.len() <= self.small_core() {
             return Ok(proved);
         }
         self.leave_out(proved)
     }
 
     /// The same for a core of any size.
-    pub(super) fn leave_out(&mut self, mut proved: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
+    pub(super) fn leave_out(&mut self, proved: Core) -> Result<Core, Stop> {
+        let mut proved = proved.into_lits();
         let needed = std::mem::take(&mut self.needed);
         let until = self.derived() + MOST_DERIVED;
         let mut failures = 0;
@@ -50,7 +49,7 @@ impl Sat<'_> {
                 None => failures += 1,
             }
         }
-        Ok(proved)
+        Ok(Core::proved(proved))
     }
 
     /// Takes over what varisat says to be enough, as far as calls prove it.

@@ -1,11 +1,14 @@
-//! varisat, incremental, metered, and with cores that are true.
+//! A SAT solver, incremental, metered, and with cores that are true.
 
 use std::rc::Rc;
 
-use varisat::{ExtendFormula, ProofFormat, Solver, config::SolverConfigUpdate};
-
+use super::backend::Backend;
 use super::placeholders::{Freed, Placeholders};
-use super::{Clauses, Lit, proof_listener::ProofListener};
+#[cfg(test)]
+use super::tests::either::Either as Engine;
+#[cfg(not(test))]
+use super::varisat::Varisat as Engine;
+use super::{Clauses, Core, Lit};
 use crate::budget::Held;
 use crate::budget::{Budget, Stop};
 
@@ -22,10 +25,6 @@ const TRIMS_OF_LARGE: usize = 6;
 /// The literals of a large core.
 const LARGE_CORE: usize = 12;
 
-/// Conflicts between restarts, times the Luby sequence: shorter than varisat's
-/// own 128, which suits formulas whose conflicts lie close together.
-const RESTART_INTERVAL: u64 = 30;
-
 /// The end of a call.
 #[derive(Debug)]
 pub(crate) enum Outcome {
@@ -33,7 +32,7 @@ pub(crate) enum Outcome {
     Sat,
     /// These assumptions cannot hold together. They were verified: a call with
     /// just them was unsatisfiable.
-    Unsat(Vec<Lit>),
+    Unsat(Core),
 }
 
 /// An incremental solver.
@@ -42,13 +41,12 @@ pub(crate) enum Outcome {
 /// read from a call that ended with [`Outcome::Sat`] until the next call. After
 /// a call ended with [`Stop`] no further call succeeds.
 pub(crate) struct Sat<'h> {
-    solver: Solver<'h>,
+    solver: Engine<'h>,
     budget: Rc<Budget<'h>>,
     variables: u32,
     placeholders: Placeholders,
     held: Held,
     model: Vec<bool>,
-    buffer: Vec<varisat::Lit>,
     verify: bool,
     /// Literals of the last core that are known to be needed in it.
     pub(super) needed: Vec<Lit>,
@@ -58,15 +56,8 @@ pub(crate) struct Sat<'h> {
 
 impl<'h> Sat<'h> {
     pub(crate) fn new(budget: Rc<Budget<'h>>) -> Self {
-        let mut solver = Solver::new();
-        // Restarts are cheap beside the many short calls that a search makes.
-        let mut config = SolverConfigUpdate::new();
-        config.luby_restart_interval_scale = Some(RESTART_INTERVAL);
-        let accepted = solver.config(&config);
-        debug_assert!(accepted.is_ok(), "the interval is within its range");
         let freed = Freed::default();
-        let listener = ProofListener::new(Rc::clone(&budget), freed.clone());
-        solver.write_proof(listener, ProofFormat::Varisat);
+        let solver = Engine::new(Rc::clone(&budget), freed.clone());
         Self {
             solver,
             budget,
@@ -74,7 +65,6 @@ impl<'h> Sat<'h> {
             placeholders: Placeholders::new(freed),
             held: Held::default(),
             model: Vec::new(),
-            buffer: Vec::new(),
             verify: true,
             needed: Vec::new(),
             stated: 0,
@@ -108,14 +98,14 @@ impl<'h> Sat<'h> {
     ///
     /// # Errors
     /// When the budget is spent; the solver is lost then.
-    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
+    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Core>, Stop> {
         let Some(mut core) = self.call(assumptions)? else {
             return Ok(None);
         };
         self.needed.clear();
         self.stated = core.len();
         if !self.verify {
-            return Ok(Some(core));
+            return Ok(Some(Core::proved(core)));
         }
         self.trim(assumptions, &mut core).map(Some)
     }
@@ -128,7 +118,7 @@ impl<'h> Sat<'h> {
     /// each tells more: assumptions are made one after the other, so the last
     /// one of the core is needed with those before it. Put first from then on,
     /// it leaves the place of the last one to another, until all are needed.
-    fn trim(&mut self, assumptions: &[Lit], core: &mut Vec<Lit>) -> Result<Vec<Lit>, Stop> {
+    fn trim(&mut self, assumptions: &[Lit], core: &mut Vec<Lit>) -> Result<Core, Stop> {
         let mut proved = assumptions.to_vec();
         let mut needed: Vec<Lit> = Vec::new();
         for trim in 0..MOST_TRIMS {
@@ -154,7 +144,7 @@ impl<'h> Sat<'h> {
             }
         }
         self.needed = needed;
-        Ok(proved)
+        Ok(Core::proved(proved))
     }
 
     /// The literals of the last core as varisat stated it, before it was verified and
@@ -168,22 +158,17 @@ impl<'h> Sat<'h> {
         self.budget.derived()
     }
 
+    /// See [`Thresholds::small_core`](crate::Thresholds::small_core).
+    pub(super) fn small_core(&self) -> usize {
+        self.budget.thresholds().small_core
+    }
+
     /// One call: `None` for a model, else the core as varisat states it.
     pub(super) fn call(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
         self.budget.check()?;
         self.budget.count_call(self.variables);
         self.take_freed();
-        self.buffer.clear();
-        self.buffer.extend(assumptions.iter().map(|&l| outward(l)));
-        self.solver.assume(&self.buffer);
-        match self.solver.solve() {
-            Ok(true) => Ok(None),
-            Ok(false) => {
-                let core = self.solver.failed_core().unwrap_or(&[]);
-                Ok(Some(core.iter().map(|&l| inward(l)).collect()))
-            }
-            Err(_) => Err(self.budget.check().err().unwrap_or(Stop::Cancelled)),
-        }
+        self.solver.solve(assumptions)
     }
 
     /// Whether a literal holds in the last model.
@@ -195,8 +180,8 @@ impl<'h> Sat<'h> {
     fn read_model(&mut self) {
         self.model.clear();
         self.model.resize(self.variables as usize, false);
-        for lit in self.solver.model().unwrap_or_default() {
-            if let Some(value) = self.model.get_mut(lit.index()) {
+        for lit in self.solver.model() {
+            if let Some(value) = self.model.get_mut(lit.variable() as usize) {
                 *value = lit.is_positive();
             }
         }
@@ -212,9 +197,7 @@ impl<'h> Sat<'h> {
     fn take_freed(&mut self) {
         while let Some(clause) = self.placeholders.next(&mut self.variables) {
             self.hold(VARIABLE_BYTES);
-            self.buffer.clear();
-            self.buffer.extend(clause.iter().map(|&l| outward(l)));
-            self.solver.add_clause(&self.buffer);
+            self.solver.add_clause(&clause);
         }
     }
 
@@ -236,16 +219,10 @@ impl Clauses for Sat<'_> {
         self.budget.count_clause();
         self.hold(CLAUSE_BYTES + LITERAL_BYTES * lits.len());
         self.take_freed();
-        self.buffer.clear();
-        self.buffer.extend(lits.iter().map(|&l| outward(l)));
-        self.solver.add_clause(&self.buffer);
+        self.solver.add_clause(lits);
     }
-}
 
-fn outward(lit: Lit) -> varisat::Lit {
-    varisat::Lit::from_index(lit.variable() as usize, lit.is_positive())
-}
-
-fn inward(lit: varisat::Lit) -> Lit {
-    Lit::new(lit.index() as u32, lit.is_positive())
+    fn check(&self) -> Result<(), Stop> {
+        self.budget.check()
+    }
 }

@@ -27,7 +27,7 @@ use crate::{
     single::Place,
     walk::Walk,
 };
-use agents::SoftAgent;
+use agents::AsBefore;
 use clauses::Written;
 
 /// What is to be as small as can be.
@@ -91,8 +91,6 @@ pub(crate) fn closest(
         traces: (0..agents).map(|_| None).collect(),
         written: vec![Written::default(); agents],
         differs: BTreeMap::new(),
-        softs: BTreeMap::new(),
-        cores: Vec::new(),
     };
     let Some(shown) = near.find(bounded)? else {
         return Ok(None);
@@ -102,8 +100,11 @@ pub(crate) fn closest(
         close.proved = near.reach(Some(shown));
         return Ok(Some(close));
     }
-    // What is found later is only better.
-    let shown = near.few_entries(&mut close).ok().flatten();
+    let shown = match near.few_entries(&mut close) {
+        Ok(shown) => shown,
+        Err(Stop::Contradiction) => return Err(Stop::Contradiction),
+        Err(_) => None, // what was found until then is only better
+    };
     close.proved = near.reach(shown);
     Ok(Some(close))
 }
@@ -123,8 +124,6 @@ struct Near<'p, 'h> {
     written: Vec<Written>,
     /// "Its entry at this time differs", of inside agents, once they count.
     differs: BTreeMap<AgentId, Vec<Lit>>,
-    softs: BTreeMap<Lit, SoftAgent>,
-    cores: Vec<Vec<Lit>>,
 }
 
 impl Near<'_, '_> {
@@ -134,8 +133,8 @@ impl Near<'_, '_> {
         if self.search.keep_limits(bounded)?.is_some() {
             return Ok(None);
         }
-        self.begin(bounded)?;
-        self.few_agents()
+        let softs = self.begin(bounded)?;
+        self.few_agents(softs)
     }
 
     /// The plan of the last model.

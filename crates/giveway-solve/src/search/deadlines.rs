@@ -37,6 +37,11 @@ struct Cap {
     is_clause: bool,
 }
 
+/// The proof that no cap of the horizon had a part in a refutation. Only
+/// [`Deadlines`] makes it, since it knows which caps became clauses, and why.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NoHorizon(());
+
 /// The caps of all agents.
 #[derive(Clone, Debug)]
 pub(crate) struct Deadlines {
@@ -163,10 +168,11 @@ impl Deadlines {
         self.caps[agent].reason == Reason::Best
     }
 
-    /// Whether what was shown under the caps of these agents, and of no others,
-    /// was shown without the horizon.
-    pub(super) fn free_of_horizon(&self, agents: &[AgentId]) -> bool {
+    /// Whether a refutation under the caps of these agents, and of no others, did not use the
+    /// horizon. Deadlines that were assumptions of the call must be named among them.
+    pub(super) fn free_of_horizon(&self, agents: &[AgentId]) -> Option<NoHorizon> {
         let claimed = |&agent: &AgentId| self.caps[agent].reason != Reason::Horizon;
-        !self.entered && agents.iter().all(claimed)
+        let free = !self.entered && agents.iter().all(claimed);
+        free.then_some(NoHorizon(()))
     }
 }

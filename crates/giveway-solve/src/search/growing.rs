@@ -11,7 +11,7 @@ use super::stage::Search;
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
-    sat::{Lit, Outcome},
+    sat::{Core, Lit, Outcome},
 };
 
 /// Which deadlines are assumed beside what is assumed anyway.
@@ -42,7 +42,7 @@ pub(crate) enum Growing {
 /// Assumptions that exclude each other.
 #[derive(Clone, Debug)]
 pub(crate) struct AssumptionCore {
-    lits: Vec<Lit>,
+    lits: Core,
     agents: Vec<AgentId>,
     effort: CoreEffort,
 }
@@ -61,7 +61,7 @@ pub(crate) struct CoreEffort {
 /// Only [`Search::solve_growing`] makes one, so that a core is a proof.
 impl AssumptionCore {
     /// The assumptions; none where nothing has to be assumed.
-    pub(crate) fn lits(&self) -> &[Lit] {
+    pub(crate) fn lits(&self) -> &Core {
         &self.lits
     }
 
@@ -84,7 +84,7 @@ impl Search<'_, '_, '_> {
         let mut guards = BTreeMap::new();
         for agent in self.team.insiders() {
             let covered = self.team.deadline(agent);
-            if let Some(deadline) = self.allowed.deadlines.assumed(agent, covered, until)
+            if let Some(deadline) = self.deadlines.assumed(agent, covered, until)
                 && let Some(by) = self.team.by(agent, deadline)
             {
                 guards.insert(by, agent);
@@ -110,12 +110,12 @@ impl Search<'_, '_, '_> {
         }
         let mut assumptions = assumptions;
         assumptions.extend(guards.keys());
-        let before = self.allowed.budget.conflicts();
+        let before = self.budget.conflicts();
         let Outcome::Unsat(mut core) = self.team.solve(&assumptions)? else {
             return Ok(Growing::Model);
         };
         let stated = self.team.stated();
-        if self.minimises_cores() {
+        if self.claim.minimises_cores() {
             core = self.team.minimise(core)?;
         }
         let agents: Vec<AgentId> = core
@@ -136,7 +136,7 @@ impl Search<'_, '_, '_> {
         let effort = CoreEffort {
             stated,
             literals: core.len(),
-            conflicts: self.allowed.budget.conflicts() - before,
+            conflicts: self.budget.conflicts() - before,
         };
         Ok(Growing::Core(AssumptionCore {
             lits: core,

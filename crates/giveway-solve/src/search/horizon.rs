@@ -1,6 +1,9 @@
-//! The horizon of a search: the one rule, for every question.
+//! The horizon of a search: the one rule, for every question; and which plans are
+//! certain to arrive within it.
 
-use giveway_model::Grid;
+use std::collections::BTreeMap;
+
+use giveway_model::{Cost, Grid};
 
 use crate::problem::Problem;
 
@@ -13,6 +16,11 @@ pub(crate) struct Horizon {
     latest: u32,
     beyond_use: bool,
 }
+
+/// The proof that all plans that count arrive within a horizon, or have a counterpart of
+/// no higher costs that does. Only [`Horizon`] makes it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AllInTime(());
 
 impl Horizon {
     /// What a person set, or else the default of the problem's rules, but at
@@ -49,6 +57,32 @@ impl Horizon {
         self.beyond_use
     }
 
+    /// All plans, where later ones are of no use.
+    pub(crate) fn covers_all(self) -> Option<AllInTime> {
+        self.beyond_use.then_some(AllInTime(()))
+    }
+
+    /// The plans that have at most this of a cost. (A plan of few charges, moves or
+    /// waits may take any time.)
+    pub(crate) fn covers(self, problem: &Problem, cost: Cost, most: u32) -> Option<AllInTime> {
+        let latest = match cost {
+            Cost::Makespan => most,
+            Cost::SumOfCosts => latest_of_sum(problem, most),
+            Cost::Charges | Cost::Moves | Cost::Waits => return None,
+        };
+        (latest <= self.latest).then_some(AllInTime(()))
+    }
+
+    /// The plans that keep all of these limits.
+    pub(crate) fn covers_limits(
+        self,
+        problem: &Problem,
+        limits: &BTreeMap<Cost, u32>,
+    ) -> Option<AllInTime> {
+        let mut limits = limits.iter();
+        limits.find_map(|(&cost, &most)| self.covers(problem, cost, most))
+    }
+
     /// The same, but no later than this.
     pub(crate) fn up_to(self, latest: u32) -> Self {
         if self.latest <= latest {
@@ -57,4 +91,14 @@ impl Horizon {
             Self::at(latest)
         }
     }
+}
+
+/// No plan with this sum of costs has a later makespan.
+fn latest_of_sum(problem: &Problem, sum: u32) -> u32 {
+    let total = problem
+        .optima
+        .iter()
+        .fold(0u32, |a, &b| a.saturating_add(b));
+    let longest = problem.optima.iter().copied().max().unwrap_or(0);
+    sum.saturating_sub(total).saturating_add(longest)
 }

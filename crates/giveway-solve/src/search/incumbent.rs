@@ -40,8 +40,12 @@ impl<'a> Incumbent<'a> {
         }
     }
 
-    /// Keeps a plan if it is better than the best; true if it was.
+    /// Keeps a plan if it is better than the best; true if it was. Walks of which one is empty
+    /// are none.
     pub(crate) fn offer(&mut self, problem: &Problem, walks: &[Walk], by: FoundBy) -> bool {
+        if walks.iter().any(Vec::is_empty) {
+            return false;
+        }
         let costs = costs(problem, walks);
         let kept = self
             .limits

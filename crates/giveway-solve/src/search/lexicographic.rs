@@ -13,7 +13,7 @@ use super::{
     for_ever::{self, Reach},
     incumbent::{Incumbent, free_of_collisions},
     prove::{Given, Shown, is_met, or_exhausted, prove},
-    stage::{Search, Subject, asked_below_minimum},
+    stage::{Search, Subject},
 };
 use crate::{
     budget::{Budget, Stop},
@@ -26,11 +26,12 @@ use crate::{
     walk::Walk,
 };
 
-/// What the first improvement of a plan may take, in states of single agents: little
-/// for few agents, and not much more than a second for a thousand.
-const FEW_AGENTS: u64 = 3;
+/// The first improvement of a plan expands at most `agents`³ / `CUBE_DIVISOR` states of single
+/// agents: little for few agents.
+const CUBE_DIVISOR: u64 = 3;
+/// And at most this many: not much more than a second for a thousand agents.
 const MOST_STATES: u64 = 3_000_000;
-/// After so many a better plan is told of.
+/// States between two reports of a better plan.
 const TURN: u64 = 300_000;
 
 /// Finds and proves the lexicographic optimum.
@@ -122,15 +123,21 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         aim,
         budget,
     } = given;
-    if let Some((agent, reason)) = for_ever::too_late(problem, bounded) {
+    if let Some((agent, reason)) = for_ever::too_late(problem, bounded, budget)? {
         verdict.clash = vec![agent];
         return Ok(Shown::Claim(reason));
     }
-    if let Some((agent, too_low)) = asked_below_minimum(problem, budget)? {
+    if let Some((agent, too_low)) = for_ever::asked_below_minimum(problem, budget)? {
         verdict.clash = vec![agent];
         return Ok(Shown::Claim(Some(too_low.into())));
     }
     let walks = apart(problem, budget)?;
+    // Outside the SAT solver each agent has a walk at its optimum.
+    let insiders = problem.insiders();
+    let has_walk = |agent: usize| !walks[agent].is_empty();
+    if !(0..walks.len()).all(|agent| has_walk(agent) || insiders.contains(&agent)) {
+        return Err(Stop::LateTimes);
+    }
     if free_of_collisions(problem, &walks) {
         incumbent.offer(problem, &walks, FoundBy::Alone);
     } else if *aim == Aim::Best
@@ -142,12 +149,13 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         first_polish(given, plan, incumbent)?;
     }
     if incumbent.costs().is_none() {
-        // Where few agents find no plan there is mostly none, which is quickly
-        // shown where their joint states can be exhausted.
-        // Where more than the rules is asked for, none was looked for as it should be.
+        // If few agents find no plan, there is mostly none, and exhausting their joint states
+        // shows it quickly. With conditions the initial planners were not asked, so their
+        // failure says nothing. Where the limits bound the time, SAT is quick and its proof complete.
         let all: Vec<usize> = (0..problem.agents()).collect();
-        if !for_ever::have_limited_time(problem, bounded) // (else SAT is quick, and its proof complete)
-            && (!problem.is_asked() || joint::is_small(problem))
+        let Bounded { horizon, limits } = bounded;
+        if horizon.covers_limits(problem, limits).is_none()
+            && (!problem.has_conditions() || joint::is_small(problem, budget))
             && let Some(shown) = for_ever::soonest(problem, bounded, incumbent, budget)?
         {
             verdict.clash = all;
@@ -156,7 +164,7 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
         if incumbent.costs().is_some() {
             return prove_or_take(given, &walks, incumbent, verdict);
         }
-        if joint::is_small(problem)
+        if joint::is_small(problem, budget)
             && let Some(reason) = for_ever::above_limits(problem, bounded, budget)?
         {
             verdict.clash = all;
@@ -187,7 +195,7 @@ fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) ->
         return Ok(());
     }
     let agents = given.problem.agents() as u64;
-    let states = (agents * agents * agents / FEW_AGENTS).min(MOST_STATES);
+    let states = (agents * agents * agents / CUBE_DIVISOR).min(MOST_STATES);
     let turns = states.div_ceil(TURN);
     let mut lns = Lns::default();
     for _ in 0..turns {
@@ -218,7 +226,8 @@ fn prove_or_take(
     prove(given, walks, incumbent, verdict)
 }
 
-/// A first plan; none where that there is none was shown.
+/// Looks for a first plan by SAT and offers it; the claim that there is none, where that was
+/// proved instead.
 fn first_by_sat(
     given: Given,
     walks: &[Walk],

@@ -8,6 +8,7 @@
 use giveway_model::Cost;
 
 use super::{
+    bound::Bound,
     growing::{Growing, Until},
     stage::{End, Search},
 };
@@ -17,24 +18,22 @@ use crate::budget::Stop;
 ///
 /// # Errors
 /// When the budget is spent. `bound` holds what was proved up to then.
-pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
-    let mut trial = search.problem.optima.iter().copied().max().unwrap_or(0);
-    *bound = trial;
-    search.report_bound(Cost::Makespan, trial);
-    search.begin(Cost::Makespan);
+pub(super) fn run(search: &mut Search, bound: &mut Bound) -> Result<End, Stop> {
+    search.report_bound(*bound);
+    search.claim.begin(Cost::Makespan, false);
     search.tell_phase(Cost::Makespan)?;
-    search.minimise_cores(false);
     loop {
-        if search.incumbent_meets(Cost::Makespan, trial) {
+        let trial = bound.at_least();
+        if let Some(optimum) = bound.met(search) {
             for agent in 0..search.problem.agents() {
                 search.lower_cap(agent, trial);
             }
-            return Ok(End::Least(trial));
+            return Ok(End::Least(optimum));
         }
         match search.solve_growing(Vec::new(), Until::Time(trial))? {
             Growing::Model => {
                 let entered = search.settle()?;
-                if entered.is_empty() && !search.incumbent_meets(Cost::Makespan, trial) {
+                if entered.is_empty() && bound.met(search).is_none() {
                     return Err(Stop::Contradiction);
                 }
             }
@@ -42,10 +41,9 @@ pub(crate) fn run(search: &mut Search, bound: &mut u32) -> Result<End, Stop> {
             Growing::Core(core) if core.lits().is_empty() => return Ok(End::None),
             Growing::Core(core) => {
                 search.tell_too_late(&core, trial);
-                trial += 1;
-                *bound = trial;
-                search.report_bound(Cost::Makespan, trial);
-                search.polish(Cost::Makespan, trial)?;
+                bound.raise(core.lits());
+                search.report_bound(*bound);
+                search.polish(Cost::Makespan, bound.at_least())?;
             }
         }
     }

@@ -3,17 +3,21 @@
 //! - [`team`]: agents inside the SAT solver, and those that need no place there;
 //! - [`growing`]: calls in which MDDs grow as cores name their deadlines;
 //! - [`stage`]: one cost at a time, in the order of the objective: core-guided
-//!   for sums ([`sum`]), step by step for the makespan ([`makespan`]);
+//!   ([`oll`]) for sums ([`sum`]), step by step for the makespan ([`makespan`]);
 //! - [`feasible`]: any plan at all, or the proof that there is none;
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`aim`]: what is asked for and answered;
+//! - [`minima`]: what agents need alone; [`bound`]: lower bounds, raised by cores;
 //! - [`lexicographic`]: all of it in order; [`prove`]: the part after a first plan;
+//! - [`claim`]: what is proved, and what is under way;
 //! - [`deadlines`]: the latest arrivals that are looked at, and why;
 //! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
-//! - [`for_ever`]: what is so whatever the horizon.
+//! - [`for_ever`]: claims that hold whatever the horizon.
 
 mod aim;
+mod bound;
+mod claim;
 mod closest;
 mod deadlines;
 mod feasible;
@@ -23,15 +27,20 @@ mod horizon;
 mod incumbent;
 mod lexicographic;
 mod makespan;
+mod minima;
+mod oll;
 mod prove;
 mod stage;
 mod sum;
 mod tally;
 mod team;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
 pub(crate) use closest::{Before, Extent, closest};
-pub(crate) use for_ever::{ForEver, Reach, lone_bound, reach_of_best_plans, reach_of_bounds};
+pub(crate) use for_ever::{ForEver, Reach, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;
 pub(crate) use lexicographic::{find, solve};
+pub(crate) use minima::{LoneBound, Minima};
 pub(crate) use team::Team;

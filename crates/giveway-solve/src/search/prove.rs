@@ -6,6 +6,7 @@ use giveway_model::{Cost, sorting};
 
 use super::{
     aim::{Aim, Bounded, Verdict},
+    bound::Bound,
     deadlines::Keeping,
     for_ever::{self, ForEver, Known, OfOptima},
     incumbent::Incumbent,
@@ -41,16 +42,11 @@ pub(super) enum Shown {
     Claim(Option<ForEver>),
 }
 
-/// Whether the best plan is all that is looked for.
+/// Whether the plan at hand already meets the aim, so that nothing is left to prove.
 pub(super) fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
     let vector = incumbent.costs().map(|c| c.vector(incumbent.objective()));
     vector.is_some_and(|vector| aim.is_met(&vector))
 }
-
-/// Conflicts after which few joint states are exhausted instead, and clauses: where
-/// time costs nothing and the horizon is far away, writing them takes longest.
-const PATIENCE: u64 = 4_000;
-const PATIENT_CLAUSES: u64 = 300_000;
 
 /// The optima of all costs, one after the other.
 pub(super) fn prove(
@@ -77,19 +73,20 @@ pub(super) fn or_exhausted<T>(
     let Given {
         problem, budget, ..
     } = given;
-    if !joint::is_small(problem) {
+    if !joint::is_small(problem, budget) {
         return by_sat(given, incumbent, verdict);
     }
     let patience = Limits {
-        conflicts: Some(PATIENCE),
+        conflicts: Some(budget.thresholds().patience),
         ..Limits::default()
     };
+    let most = budget.thresholds().patience_clauses;
     // Where little may be derived, half of it is left for what comes after.
     let part = Rc::new(
         budget
             .part(patience)
             .with_derived(budget.derived_left() / 2)
-            .with_clauses(PATIENT_CLAUSES.min(budget.clauses_left() / 2)),
+            .with_clauses(most.min(budget.clauses_left() / 2)),
     );
     let patient = Given {
         budget: &part,
@@ -170,29 +167,29 @@ fn stages(
     let mut for_ever = OfOptima::new(problem, bounded);
     let mut optima = Vec::new();
     for (i, &cost) in objective.costs().iter().enumerate() {
-        let mut bound = 0;
         let known = known.take();
         let last = i + 1 == objective.costs().len();
+        let mut bound = Bound::new(cost, search.team.lone_bound(cost)?);
         let end = if cost == Cost::Makespan {
             makespan::run(&mut search, &mut bound)
         } else {
-            SumStage::run(&mut search, cost, known.map(|k| k.least), last, &mut bound)
+            SumStage::run(&mut search, &mut bound, known, last)
         };
-        verdict.bounds.insert(cost, bound);
-        let End::Least(least) = end? else {
+        verdict.bounds.insert(cost, bound.at_least());
+        let End::Least(optimum) = end? else {
             return Ok(None);
         };
-        search.finish(cost, least);
+        search.claim.finish(optimum);
         if !last {
             search.tell_met();
         }
         if i == 0 && cost == Cost::Makespan {
-            search = search.afresh(least, walks);
+            search = search.afresh(optimum, walks);
             search.keep_limits(bounded)?;
         }
         let known = known.map(|known| known.reason);
-        for_ever.and(&mut search, (cost, least), known, bounded)?;
-        optima.push(least);
+        for_ever.and(&mut search, optimum, known, bounded)?;
+        optima.push(optimum.least());
         if given.aim.is_missed(&optima) || is_met(given.aim, search.incumbent) {
             break;
         }

@@ -11,13 +11,14 @@ mod limits;
 mod polish;
 mod tell;
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::{Cost, sorting};
 
 use super::{
     aim::Bounded,
+    bound::{Bound, Optimum},
+    claim::Claim,
     deadlines::{Deadlines, Keeping},
     horizon::Horizon,
     incumbent::Incumbent,
@@ -28,14 +29,13 @@ use crate::{
     walk::Walk,
 };
 
-pub(super) use limits::{LimitTooLow, asked_below_minimum};
 use polish::Polishing;
 
 /// How a stage ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
-    /// The least value of its cost.
-    Least(u32),
+pub(super) enum End {
+    /// With the least value of its cost.
+    Least(Optimum),
     /// No plan keeps within the horizon and the limits.
     None,
 }
@@ -57,42 +57,15 @@ pub(crate) struct Search<'p, 'h, 'b> {
     pub(crate) team: Team<'p, 'h>,
     /// The best plan so far, and the order in which costs compare.
     pub(crate) incumbent: &'p mut Incumbent<'b>,
-    pub(super) allowed: Allowed<'h>,
-    stages: Stages,
-    polishing: Polishing,
-}
-
-/// What the search may use, and what plans may have.
-pub(super) struct Allowed<'h> {
     pub(super) budget: Rc<Budget<'h>>,
     /// The latest arrivals that are still of interest.
     pub(super) deadlines: Deadlines,
-    /// The sums of costs that are limited.
-    sums: BTreeMap<Cost, SumLimit>,
-}
-
-/// How far the stages have come.
-#[derive(Default)]
-struct Stages {
-    /// The costs whose optimum holds for good.
-    done: BTreeMap<Cost, u32>,
-    /// The costs done or under way: outside agents are at their own minima.
-    begun: Vec<Cost>,
-    /// Counts of which agents that enter have their own minima.
-    at_minima: Vec<Cost>,
-    /// Whether cores are made smaller.
-    minimises: bool,
-    /// What was excluded that only worse plans do, in the stage under way.
-    worse: Worse,
-}
-
-/// Plans that are worse than the best one may be excluded.
-#[derive(Clone, Copy, Default)]
-struct Worse {
-    /// The most that plans may have of the cost under way which are not excluded.
-    at_most: Option<u32>,
-    /// Whether a clause says so by now.
-    in_force: bool,
+    /// What is proved, and what is under way.
+    pub(super) claim: Claim,
+    /// The sums of costs that are limited: of what agents have beyond their minima, and
+    /// of agents that enter later all of it.
+    sums: Vec<(Cost, SumLimit)>,
+    polishing: Polishing,
 }
 
 impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
@@ -112,28 +85,19 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             problem,
             team: Team::new(problem, walks.to_vec(), Rc::clone(&budget)),
             incumbent,
-            allowed: Allowed {
-                budget,
-                deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
-                sums: BTreeMap::new(),
-            },
-            stages: Stages::default(),
+            budget,
+            deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
+            claim: Claim::default(),
+            sums: Vec::new(),
             polishing: Polishing::new(),
-        }
-    }
-
-    /// Marks a cost as under way.
-    pub(crate) fn begin(&mut self, cost: Cost) {
-        self.stages.worse = Worse::default();
-        if !self.stages.begun.contains(&cost) {
-            self.stages.begun.push(cost);
         }
     }
 
     /// The same search after its first stage, the makespan, with an empty
     /// formula: the later stages need much smaller MDDs than the proof of
     /// the makespan did.
-    pub(crate) fn afresh(self, makespan: u32, walks: &[Walk]) -> Self {
+    pub(super) fn afresh(self, optimum: Optimum, walks: &[Walk]) -> Self {
+        let makespan = optimum.least();
         let bounded = Bounded {
             horizon: Horizon::at(makespan),
             limits: sorting::map([(Cost::Makespan, makespan)]),
@@ -143,50 +107,19 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             walks,
             bounded: &bounded,
         };
-        let budget = self.allowed.budget;
+        let budget = self.budget;
         let mut fresh = Self::new(subject, Keeping::Hard, self.incumbent, budget);
-        fresh.stages.minimises = self.stages.minimises;
         fresh.polishing = self.polishing;
-        fresh.finish(Cost::Makespan, makespan);
-        fresh.begin(Cost::Makespan);
+        fresh.claim.keep_outside(Cost::Makespan);
+        fresh.claim.finish(optimum);
         fresh
-    }
-
-    /// Whether cores are made smaller, in the stage under way.
-    pub(crate) const fn minimise_cores(&mut self, minimises: bool) {
-        self.stages.minimises = minimises;
-    }
-
-    /// Whether cores are made smaller.
-    pub(crate) const fn minimises_cores(&self) -> bool {
-        self.stages.minimises
-    }
-
-    /// Marks the optimum of a cost as holding for good.
-    pub(crate) fn finish(&mut self, cost: Cost, least: u32) {
-        self.stages.done.insert(cost, least);
-    }
-
-    /// In every plan with the optimum of a count, proved by cores, the agents
-    /// that no core named are at their own minima: so are those that enter
-    /// later. (An optimum that is known in another way says nothing of them.)
-    pub(crate) fn keep_minima(&mut self, cost: Cost) {
-        if cost != Cost::SumOfCosts {
-            self.stages.at_minima.push(cost);
-        }
     }
 
     /// Whether the best plan has this value of a cost, and the optimum of each
     /// cost before it.
     pub(crate) fn incumbent_meets(&self, cost: Cost, value: u32) -> bool {
-        self.incumbent.costs().is_some_and(|costs| {
-            costs.get(cost) == value
-                && self
-                    .stages
-                    .done
-                    .iter()
-                    .all(|(&c, &least)| costs.get(c) == least)
-        })
+        let costs = self.incumbent.costs();
+        costs.is_some_and(|costs| costs.get(cost) == value && self.claim.is_met_by(&costs))
     }
 
     /// The best plan's value of a cost, if it has the optimum of each cost
@@ -196,22 +129,17 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
         self.incumbent_meets(cost, best).then_some(best)
     }
 
-    /// From now on plans may be excluded that have more than this of the cost under
-    /// way.
-    pub(crate) const fn exclude_worse(&mut self, at_most: u32) {
-        self.stages.worse.at_most = Some(at_most);
-    }
-
     /// Makes a literal hold that all plans keep but those that are excluded.
     pub(crate) fn harden_for_better(&mut self, lit: Lit) {
-        self.stages.worse.in_force = true;
+        self.claim.has_excluded();
         self.team.harden(lit);
     }
 
     /// Tells the host a proved bound.
-    pub(crate) fn report_bound(&self, cost: Cost, at_least: u32) {
-        self.allowed
-            .budget
-            .report(&Progress::Bound { cost, at_least });
+    pub(super) fn report_bound(&self, bound: Bound) {
+        self.budget.report(&Progress::Bound {
+            cost: bound.cost(),
+            at_least: bound.at_least(),
+        });
     }
 }

@@ -17,27 +17,6 @@ use crate::{
     single::{CostToGo, Metric, Node, Place, Task},
 };
 
-/// The least number of a cost's events in a plan of one agent alone.
-///
-/// # Errors
-/// When the budget is spent.
-pub(crate) fn least(
-    problem: &Problem,
-    agent: usize,
-    cost: Cost,
-    budget: &Budget,
-) -> Result<u32, Stop> {
-    let task = &problem.tasks[agent];
-    let metric = match cost {
-        Cost::Charges if task.reserve.is_some() => Metric::Charges,
-        Cost::Moves => Metric::Moves,
-        _ => return Ok(0),
-    };
-    let table = CostToGo::new(task, &problem.terrain, metric, budget)?;
-    let least = table.from(task.start, task.first_mask(), task.first_level());
-    Ok(least.unwrap_or(0))
-}
-
 /// The counter of one agent and cost.
 pub(crate) struct Tally {
     cost: Cost,

@@ -13,7 +13,10 @@ use std::rc::Rc;
 use giveway_model::Cost;
 use giveway_model::sorting::map;
 
-use super::tally::{Tally, least};
+use super::{
+    minima::{LoneBound, Minima},
+    tally::Tally,
+};
 use crate::{
     budget::{Budget, Stop},
     encode::{
@@ -22,7 +25,7 @@ use crate::{
     },
     local::{Others, Query, Reservations, plan_one},
     problem::Problem,
-    sat::{Clauses, Lit, Outcome, Sat},
+    sat::{Clauses, Core, Lit, Outcome, Sat},
     terrain::Vertex,
     walk::Walk,
 };
@@ -36,14 +39,17 @@ pub(crate) struct Team<'p, 'h> {
     inside: Vec<Option<MddEncoding>>,
     /// A walk of every agent: from the last model, or fixed outside.
     pub(crate) walks: Vec<Walk>,
+    /// The last time at which an agent may be at a vertex: agents that rest anywhere
+    /// rest up to it.
+    reach: u32,
     /// Under `stay`: whose goal a vertex is.
     owners: BTreeMap<Vertex, AgentId>,
     /// Positions of inside agents on goals, by goal.
     on_goals: BTreeMap<Vertex, Vec<(u32, AgentId, Lit)>>,
     /// "Not been there yet", by time, where a question asks who is first.
-    not_yet: BTreeMap<u32, Lit>,
+    not_yet: BTreeMap<(usize, u32), Lit>,
     tallies: BTreeMap<(AgentId, Cost), Tally>,
-    minima: BTreeMap<(AgentId, Cost), u32>,
+    minima: Minima,
 }
 
 impl<'p, 'h> Team<'p, 'h> {
@@ -57,11 +63,12 @@ impl<'p, 'h> Team<'p, 'h> {
             collisions: Collisions::new(problem.relaxed.ignored.clone()),
             inside: problem.tasks.iter().map(|_| None).collect(),
             walks,
-            owners: map(goals.map(|(agent, task)| (task.goal, agent))),
+            reach: 0,
+            owners: map(goals.filter_map(|(agent, task)| Some((task.goal?, agent)))),
             on_goals: BTreeMap::new(),
             not_yet: BTreeMap::new(),
             tallies: BTreeMap::new(),
-            minima: BTreeMap::new(),
+            minima: Minima::default(),
         }
     }
 
@@ -126,7 +133,8 @@ impl<'p, 'h> Team<'p, 'h> {
         self.grow(agent, problem.optima[agent])?;
         if problem.rests(agent) {
             // Whoever is on its goal later than it may arrive keeps it away.
-            let visits = self.on_goals.get(&problem.tasks[agent].goal);
+            let goal = problem.tasks[agent].goal;
+            let visits = goal.and_then(|goal| self.on_goals.get(&goal));
             for (time, other, lit) in visits.cloned().unwrap_or_default() {
                 if problem.collide(agent, other) {
                     self.keep_away(agent, time, lit);
@@ -143,7 +151,8 @@ impl<'p, 'h> Team<'p, 'h> {
             return Ok(());
         };
         let old = code.mdd().size();
-        let added = code.grow(deadline, problem, &self.budget, &mut self.sat)?;
+        let reach = self.reach;
+        let added = code.grow(deadline, reach, problem, &self.budget, &mut self.sat)?;
         self.absorb(agent, &added);
         self.precede(agent, old, &added);
         let Some(code) = &self.inside[agent] else {
@@ -196,19 +205,19 @@ impl<'p, 'h> Team<'p, 'h> {
         Ok(tally.and_then(|tally| tally.more_than(most, &mut self.sat)))
     }
 
-    /// The least charges, moves or waits of an agent alone.
+    /// The least that an agent alone can have of a cost.
     pub(crate) fn least(&mut self, agent: AgentId, cost: Cost) -> Result<u32, Stop> {
-        if let Some(&least) = self.minima.get(&(agent, cost)) {
-            return Ok(least);
-        }
-        let least = least(self.problem, agent, cost, &self.budget)?;
-        self.minima.insert((agent, cost), least);
-        Ok(least)
+        self.minima.of(self.problem, agent, cost, &self.budget)
     }
 
     /// The same, where it was asked before.
     pub(crate) fn known_least(&self, agent: AgentId, cost: Cost) -> u32 {
-        self.minima.get(&(agent, cost)).copied().unwrap_or(0)
+        self.minima.known(self.problem, agent, cost).unwrap_or(0)
+    }
+
+    /// What all agents need of a cost, each alone.
+    pub(crate) fn lone_bound(&mut self, cost: Cost) -> Result<LoneBound, Stop> {
+        self.minima.bound(self.problem, cost, &self.budget)
     }
 
     /// Makes a literal hold for good.
@@ -228,7 +237,7 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// As [`Team::solve`], for the core alone; `None` where there is a model.
-    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Vec<Lit>>, Stop> {
+    pub(crate) fn refute(&mut self, assumptions: &[Lit]) -> Result<Option<Core>, Stop> {
         self.budget.report_size();
         self.sat.refute(assumptions)
     }
@@ -239,7 +248,7 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// Makes the core of the last call smaller, where that is cheap.
-    pub(crate) fn minimise(&mut self, core: Vec<Lit>) -> Result<Vec<Lit>, Stop> {
+    pub(crate) fn minimise(&mut self, core: Core) -> Result<Core, Stop> {
         self.sat.minimise(core)
     }
 

@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
-use giveway_model::{Instance, Plan, check::check};
+use giveway_model::{Assumption, Cost, Instance, LeftOutRule, Plan, check::check};
 
 use super::{instance, random};
 use crate::{
@@ -187,6 +187,25 @@ fn what_the_judge_does_not_pass_is_ignored() {
     assert_eq!((answer.status, answer.plan), (Status::Impossible, None));
     let soon = Listener::new(usize::MAX, 1);
     assert_eq!(solve(&tight, &soon).status, Status::Unknown);
+}
+
+/// Nobody checks that a plan keeps a rule that is left out, so that it says nothing of which
+/// bounds plans that do can reach: that of a later cost is not told.
+#[test]
+fn a_plan_vouches_for_no_rule_that_is_left_out() {
+    let bay = bay();
+    let own = solve(&request(&bay, None), &SilentHost);
+    assert_eq!(own.status, Status::Optimal);
+    assert!(own.bounds.len() > 1, "{:?}", own.bounds);
+    let mut left_out = request(&bay, own.plan);
+    left_out.scene.assumptions = vec![Assumption::RuleLeftOut {
+        rule: LeftOutRule::Turning,
+    }];
+    let answer = solve(&left_out, &SilentHost);
+    assert_eq!(answer.status, Status::Feasible);
+    let first = left_out.scene.objective.costs()[0];
+    let bounds: Vec<Cost> = answer.bounds.keys().copied().collect();
+    assert_eq!(bounds, [first]);
 }
 
 #[test]

@@ -13,7 +13,6 @@ use crate::{
     judged::Judged,
     problem::{Problem, ProblemError},
     search::{Aim, Bounded, Horizon, Reach, find},
-    single::TaskConstraint,
     walk::to_plan,
 };
 
@@ -70,11 +69,7 @@ fn limited(
     let mut problem = Problem::new(instance, budget)?;
     for (agent, limit) in request.agents.iter().enumerate() {
         let mut task = problem.tasks[agent].clone();
-        let most = limit.at_most;
-        task.demand = Some(match request.cost {
-            cost if is_time(cost) => TaskConstraint::ArriveBy(most),
-            cost => TaskConstraint::AtMost { cost, most },
-        });
+        task.conditions.limit(request.cost, limit.at_most);
         problem.add(agent, task, budget)?;
     }
     Ok(problem)

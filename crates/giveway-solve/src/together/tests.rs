@@ -326,3 +326,28 @@ fn agents_are_named_once() {
     );
     assert_eq!(faults(&[]), "agents: found none, expected a robot or more");
 }
+
+/// Limits that no plan comes near bind nothing, however large they are.
+#[test]
+fn limits_beyond_every_plan_are_none() {
+    let most = u32::MAX;
+    for cost in [Cost::SumOfCosts, Cost::Waits, Cost::Moves, Cost::Makespan] {
+        let wide = [limit("A", 2, most), limit("B", 2, most)];
+        assert_eq!(refuted(request(CROSSING, cost, &wide)), Some(false));
+        let tight = [limit("A", 2, 3), limit("B", 2, 3)];
+        let mut asked = request(CROSSING, cost, &tight);
+        asked.more = Some(most);
+        assert_eq!(refuted(asked), Some(false), "{cost:?}");
+    }
+}
+
+/// A horizon that no search can reach ends with the budget.
+#[test]
+fn a_horizon_beyond_every_table_ends_with_the_budget() {
+    let wide = [limit("A", 2, u32::MAX), limit("B", 2, u32::MAX)];
+    let mut asked = request(CROSSING, Cost::SumOfCosts, &wide);
+    asked.within = Some(u32::MAX);
+    asked.limits.work = Some(300_000);
+    let answer = told(asked);
+    assert!(answer.regions.is_empty());
+}

@@ -16,8 +16,9 @@ use crate::{
 pub(super) struct Ways {
     /// The places where it can be at each time up to the deadline.
     layers: Vec<BTreeSet<Place>>,
-    /// Where it rests after arriving; `None` where it is gone then.
-    rests_at: Option<Place>,
+    /// Where it may have come to rest by each time up to the deadline; `None` where it
+    /// is gone after arriving.
+    rests_at: Option<Vec<BTreeSet<Place>>>,
     /// When it arrives at the earliest.
     earliest: u32,
     /// The deadline.
@@ -55,9 +56,26 @@ impl Ways {
             }
             layers[time].insert(node.place);
         }
+        let rests_at = problem.rests(agent).then(|| {
+            let mut ends = vec![BTreeSet::new(); layers.len()];
+            for id in 0..mdd.size() {
+                let node = mdd.node(id);
+                if let Place::At(v) = node.place
+                    && task.may_end(v, node.mask, node.time)
+                    && node.time >= earliest
+                {
+                    ends[node.time as usize].insert(node.place);
+                }
+            }
+            for time in 1..ends.len() {
+                let (before, now) = ends.split_at_mut(time);
+                now[0].extend(before[time - 1].iter().copied());
+            }
+            ends
+        });
         Ok(Self {
             layers,
-            rests_at: problem.rests(agent).then_some(Place::At(task.goal)),
+            rests_at,
             earliest,
             by,
         })
@@ -95,16 +113,19 @@ impl Ways {
 
     /// The one place where it is at a time, whichever way it takes.
     pub(super) fn only_place(&self, time: u32) -> Option<Place> {
+        let ends = self.rests_at.as_ref();
         if self.rests(time) {
-            return self.rests_at;
+            let mut places = ends?.last()?.iter().copied();
+            return places.next().filter(|_| places.next().is_none());
         }
         let layer = self.layers.get(time as usize)?;
         // From its earliest arrival on it may have arrived already.
-        let arrived = self.rests_at.filter(|_| time >= self.earliest);
+        let arrived = ends.filter(|_| time >= self.earliest);
         if time > self.earliest && arrived.is_none() {
             return None;
         }
-        let mut places = layer.iter().copied().chain(arrived);
+        let arrived = arrived.and_then(|ends| ends.get(time as usize));
+        let mut places = layer.iter().chain(arrived.into_iter().flatten()).copied();
         let first = places.next()?;
         places.all(|place| place == first).then_some(first)
     }

@@ -24,14 +24,13 @@ use crate::{
 
 /// The answer where there is nothing to search in.
 pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
-    let name = |agent| case.member(agent).map_or("", |member| member.name.as_str());
     let (status, reach, ended, reason, cause) = match trouble {
         Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
             let free = Method::Replan;
-            let text = words::cause(free, name(agent), fault.kind, fault.cell, &[], false);
+            let text = words::cause(free, case.name(agent), fault.kind, fault.cell, &[], false);
             let cause = Cause {
-                agent: name(agent).to_owned(),
+                agent: case.name(agent).to_owned(),
                 kind: fault.kind,
                 cell: fault.cell,
                 agents: Vec::new(),
@@ -53,7 +52,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
             (Status::Unknown, None, Ended::Fault, reason, None)
         }
         Trouble::TooManyWaypoints(agent) => {
-            let name = name(agent);
+            let name = case.name(agent);
             let reason = tr!("{name} has more waypoints than can be planned for.", name);
             (Status::Unknown, None, Ended::Size, reason, None)
         }
@@ -70,6 +69,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
         added: Vec::new(),
         freed: Vec::new(),
         fewest: false,
+        fewest_within: None,
         cause,
         closest: false,
     }
@@ -79,8 +79,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
 /// the past and judged.
 pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let names = |agents: &mut dyn Iterator<Item = usize>| -> Vec<String> {
-        let members = agents.filter_map(|agent| case.member(agent));
-        members.map(|member| member.name.clone()).collect()
+        agents.map(|agent| case.name(agent).to_owned()).collect()
     };
     let stop = found.verdict.stop;
     let mut closest = false;
@@ -103,7 +102,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
         plan, status, stop, ..
     } = judged;
     let (complete, within) = told(judged.reach);
-    let within = within.map(|within| case.world.at.saturating_add(within));
+    let within = within.map(|within| case.snapshot.at.saturating_add(within));
     let clash = &found.verdict.clash;
     let cause = match status {
         Status::Impossible => Some(blocked(case, clash, within)),
@@ -114,7 +113,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
         (None, Some(cause)) if status == Status::Impossible => Some(cause.text.clone()),
         _ => None,
     };
-    let comparison = plan.as_ref().map(|(plan, _)| compare(case.world, plan));
+    let comparison = plan.as_ref().map(|(plan, _)| compare(case.snapshot, plan));
     let Comparison {
         kept,
         retimed,
@@ -143,6 +142,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
         added,
         freed: names(&mut found.freed.iter().copied()),
         fewest: found.fewest,
+        fewest_within: found.fewest_within,
         cause,
         closest,
     }
@@ -151,7 +151,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
 /// The proved bounds as costs from time 0: what is past, and that times count
 /// from the change, is the same in every plan.
 fn bounds(case: &Case<'_, '_>, found: &MethodFound, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
-    let at = case.world.at;
+    let at = case.snapshot.at;
     let own = found.verdict.best.as_ref().map(|(_, costs)| costs);
     let bounds = found.verdict.bounds.iter();
     let bounds = bounds.filter_map(|(&cost, &bound)| {

@@ -1,9 +1,11 @@
 //! Why a method leaves no plan, or why agents had to be freed.
 
-use crate::change::{Cause, CauseKind, freed::Case, keep::Fault, words, world::Member};
+use giveway_model::Cell;
+
+use crate::change::{Cause, CauseKind, freed::Case, keep::Fault, words};
 
 pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {
-    let name = case.member(agent).map_or("", |member| member.name.as_str());
+    let name = case.name(agent);
     Cause {
         agent: name.to_owned(),
         kind: fault.kind,
@@ -17,20 +19,20 @@ pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause
 /// Agents that block each other, and where the first of them first meets
 /// another of them if nobody waits.
 pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>) -> Cause {
-    let members = agents.iter().filter_map(|&agent| case.member(agent));
-    let names: Vec<String> = members.clone().map(|member| member.name.clone()).collect();
-    let first = members.clone().next();
-    let others: Vec<_> = members.skip(1).collect();
-    let cell = first.and_then(|first| {
-        let mut cells = first.rest.iter();
-        let met = |cell: &&giveway_model::Cell| others.iter().any(|it| it.rest.contains(cell));
-        cells.find(met).copied()
+    let names: Vec<String> = agents.iter().map(|&it| case.name(it).to_owned()).collect();
+    let paths = agents
+        .iter()
+        .filter_map(|&it| Some(case.agent(it)?.1.cells()));
+    let paths: Vec<Vec<Cell>> = paths.collect();
+    let cell = paths.split_first().and_then(|(first, others)| {
+        let met = |cell: &&Cell| others.iter().any(|path| path.contains(cell));
+        first.iter().find(met).copied()
     });
     let agent = names.first().cloned().unwrap_or_default();
     let has_batteries = agents
         .iter()
-        .filter_map(|&agent| case.member(agent))
-        .any(Member::has_battery);
+        .filter_map(|&agent| case.agent(agent))
+        .any(|(agent, _)| agent.battery.is_some());
     let text = words::cause(
         case.method,
         &agent,

@@ -6,10 +6,10 @@ use giveway_model::{Costs, Plan, check::check_history, sorting};
 
 use super::MethodFound;
 use crate::{
-    change::{Method, compare::compare, freed::Case, splice::splice},
+    change::{Method, compare::compare, freed::Case},
     problem::Problem,
     search::{Before, Bounded, Extent, closest},
-    walk::Walk,
+    walk::{Walk, of_path, to_plan},
 };
 
 /// Of all plans as good as the best, one that disturbs few old agents: its
@@ -20,9 +20,13 @@ pub(super) fn disturb_few(
     costs: Costs,
 ) -> Option<(Vec<Walk>, Vec<bool>, bool)> {
     let problem = &found.problem;
-    let members = case.world.members.iter().zip(&problem.tasks);
-    let before: Vec<Before> = members
-        .map(|(member, task)| member.before(task, &problem.terrain))
+    let agents = case.snapshot.agents.iter().zip(&problem.tasks);
+    // (A path that can no longer be followed is as far away as none.)
+    let before: Vec<Before> = agents
+        .map(|(running, task)| Before {
+            walk: of_path(task, &problem.terrain, &running.path).unwrap_or_default(),
+            charges: running.charges.clone(),
+        })
         .collect();
     let objective = case.objective.costs().iter();
     let bounded = Bounded {
@@ -31,6 +35,8 @@ pub(super) fn disturb_few(
     };
     let near = closest(problem, &before, &bounded, Extent::Agents, &case.budget);
     let near = near.ok().flatten()?;
+    // Plans as good end no later (the makespan is in every objective here), so that as far as the
+    // search looked is far enough.
     Some((near.walks, near.same, near.proved.is_some()))
 }
 
@@ -43,16 +49,24 @@ pub(super) fn judged(
     walks: &[Walk],
     same: &[bool],
 ) -> Option<(Plan, Costs)> {
-    let plan = splice(case.world, problem, walks, same);
-    let report = check_history(case.world.after, &plan);
+    let agents = case.snapshot.instance.agents().iter();
+    let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
+    let mut rest = to_plan(problem, &names, walks);
+    for (agent, name) in names.iter().enumerate() {
+        // Who does the same as before charges as before, too.
+        if same.get(agent) == Some(&true) {
+            let charges = case.snapshot.agents.get(agent).map(|it| it.charges.clone());
+            rest.charges
+                .insert(name.clone(), charges.unwrap_or_default());
+        }
+    }
+    let plan = case.snapshot.whole(&rest);
+    let report = check_history(case.snapshot.history, &plan);
     let costs = report.costs.filter(|_| report.is_valid())?;
     if case.method == Method::Revise {
         let held = case.held(freed);
-        let rerouted = compare(case.world, &plan).rerouted;
-        let strays = |agent: usize| {
-            let member = case.member(agent);
-            member.is_some_and(|member| rerouted.contains(&member.name))
-        };
+        let rerouted = compare(case.snapshot, &plan).rerouted;
+        let strays = |agent: usize| rerouted.iter().any(|name| name == case.name(agent));
         if held.into_iter().any(strays) {
             return None;
         }

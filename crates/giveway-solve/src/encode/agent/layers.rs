@@ -27,8 +27,9 @@ impl MddEncoding {
                 self.layers.resize(layer + 1, Vec::new());
             }
             self.layers[layer].push(self.nodes[id as usize]);
-            // Who vanishes on arrival is nowhere from then on.
-            if self.stays || time <= self.optimum {
+            // Who vanishes on arrival is nowhere from then on, and who rests anywhere
+            // would need all its rests here.
+            if self.stays && !self.anywhere || time <= self.optimum {
                 grown.insert(layer);
             }
         }
@@ -41,7 +42,9 @@ impl MddEncoding {
                 continue;
             }
             let mut clause: Vec<Lit> = nodes.clone();
-            clause.extend(self.rest(layer as u32));
+            if !self.anywhere {
+                clause.extend(self.resting(layer as u32).map(|(_, rest)| rest));
+            }
             clause.push(!by);
             out.clause(&clause);
         }

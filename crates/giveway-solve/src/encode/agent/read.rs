@@ -11,8 +11,7 @@ impl MddEncoding {
     pub(crate) fn walk(&self, task: &Task, is_true: impl Fn(Lit) -> bool) -> Vec<Place> {
         let mut walk = self.read(task, is_true);
         // A model may call it arrived later than it is.
-        let goal = Place::At(task.goal);
-        while walk.ends_with(&[goal, goal]) {
+        while task.ends_with_rest(&walk) {
             walk.pop();
         }
         walk
@@ -24,7 +23,10 @@ impl MddEncoding {
         loop {
             let node = self.mdd.node(id);
             walk.push(node.place);
-            let resting = self.rest(node.time + 1);
+            let resting = match node.place {
+                Place::At(v) => self.rest(v, node.time + 1),
+                Place::Along(_) => None,
+            };
             if self.is_end(node, task) && (!self.stays || resting.is_none_or(&is_true)) {
                 return walk;
             }

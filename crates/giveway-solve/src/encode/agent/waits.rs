@@ -1,36 +1,36 @@
-//! A question's demand that an agent does not wait so long.
+//! Conditions that an agent does not wait so long.
 
 use super::MddEncoding;
 use crate::{
     sat::{Clauses, Lit},
-    single::{NodeId, Place, TaskConstraint},
+    single::{Automaton, NodeId, Place},
 };
 
 impl MddEncoding {
     /// No wait of so many steps on end: of every row of nodes at one vertex that
     /// a new node is part of, one is left out.
-    pub(super) fn write_waits(&self, old: NodeId, demand: &TaskConstraint, out: &mut impl Clauses) {
-        let TaskConstraint::Wait {
-            steps: steps @ 2.., ..
-        } = *demand
-        else {
-            return;
-        };
-        for id in old..self.mdd.size() {
-            let node = self.mdd.node(id);
-            let Place::At(v) = node.place else { continue };
-            for first in node.time.saturating_sub(steps)..=node.time {
-                if !(first..first + steps).all(|time| demand.counts_wait(v, time)) {
-                    continue;
-                }
-                let row =
-                    (first..=first + steps).map(|time| self.mdd.find(time, node.place, node.mask));
-                let Some(row) = row.collect::<Option<Vec<NodeId>>>() else {
-                    continue;
-                };
-                if row.iter().all(|&other| other <= id) {
-                    let clause: Vec<Lit> = row.iter().map(|&other| !self.node(other)).collect();
-                    out.clause(&clause);
+    pub(super) fn write_waits(&self, old: NodeId, conditions: &Automaton, out: &mut impl Clauses) {
+        for wait in conditions.waits.iter().filter(|wait| wait.steps > 1) {
+            let steps = wait.steps;
+            for id in old..self.mdd.size() {
+                let node = self.mdd.node(id);
+                let Place::At(v) = node.place else { continue };
+                let rows = (node.time.saturating_sub(steps)..=node.time).map(|it| (it, steps));
+                // A wait that has begun before time 0 may go on for fewer.
+                let begun = (wait.begun > 0).then_some((0, steps - wait.begun));
+                for (first, steps) in rows.chain(begun) {
+                    if !(first..first + steps).all(|time| wait.counts(v, time)) {
+                        continue;
+                    }
+                    let row = (first..=first + steps)
+                        .map(|time| self.mdd.find(time, node.place, node.mask));
+                    let Some(row) = row.collect::<Option<Vec<NodeId>>>() else {
+                        continue;
+                    };
+                    if row.iter().all(|&other| other <= id) {
+                        let clause: Vec<Lit> = row.iter().map(|&other| !self.node(other)).collect();
+                        out.clause(&clause);
+                    }
                 }
             }
         }

@@ -1,10 +1,10 @@
 //! The clauses of one agent: its nodes, its steps, its rest at the goal.
 
-use super::{Added, MddEncoding, TakenStep};
+use super::{Added, MddEncoding, Rest, TakenStep};
 use crate::{
     encode::at_most_one::AtMostOne,
     sat::{Clauses, Lit},
-    single::{NodeId, Place, Task, TaskConstraint},
+    single::{NodeId, Place, Task},
     terrain::{Terrain, Vertex},
 };
 
@@ -36,14 +36,13 @@ impl MddEncoding {
             Place::At(v) => {
                 // Where one vertex and time can have several nodes, a variable
                 // of its own stands for "here now".
-                let several = task.masks() > 1 || (self.stays && v == task.goal);
+                let several = task.masks() > 1 || (self.stays && task.may_rest_at(v));
                 self.stand(time, v, lit, several, added, out);
                 if let Some(battery) = &mut self.battery {
                     if task.may_charge(terrain, v, Some(time)) {
                         battery.place(time, lit);
-                        if matches!(task.demand, Some(TaskConstraint::Charge { v: there, .. }) if there == v)
-                        {
-                            battery.demand(time, lit);
+                        for (number, _) in task.conditions.charges().filter(|&(_, at)| at == v) {
+                            battery.require(number, time, lit);
                         }
                     } else {
                         battery.elsewhere(time, lit);
@@ -66,29 +65,59 @@ impl MddEncoding {
         }
     }
 
-    /// The agent at its goal for good, up to the deadline.
+    /// The vertices at which it may rest, after nodes from a number on were written.
+    pub(super) fn begin_rests(&mut self, old: NodeId, task: &Task) {
+        let rest = |from: u32| Rest {
+            from,
+            lits: Vec::new(),
+        };
+        if !self.stays {
+            return;
+        }
+        if let Some(goal) = task.goal {
+            let from = self.optimum + 1;
+            self.rest.entry(goal).or_insert_with(|| rest(from));
+            return;
+        }
+        // Nodes that are ends come in the order of time.
+        for id in old..self.mdd.size() {
+            let node = self.mdd.node(id);
+            if let Place::At(v) = node.place
+                && self.is_end(node, task)
+            {
+                let from = node.time + 1;
+                self.rest.entry(v).or_insert_with(|| rest(from));
+            }
+        }
+    }
+
+    /// The agent at rest for good, up to a time.
     pub(super) fn write_rest(
         &mut self,
-        deadline: u32,
+        until: u32,
         task: &Task,
         added: &mut Added,
         out: &mut impl Clauses,
     ) {
-        while self.stays && self.optimum + (self.rest.len() as u32) < deadline {
-            let time = self.optimum + 1 + self.rest.len() as u32;
-            let lit = out.fresh();
-            if let Some(&before) = self.rest.last() {
-                out.clause(&[!before, lit]);
+        let mut rests = std::mem::take(&mut self.rest);
+        for (&v, rest) in &mut rests {
+            while rest.from + (rest.lits.len() as u32) <= until {
+                let time = rest.from + rest.lits.len() as u32;
+                let lit = out.fresh();
+                if let Some(&before) = rest.lits.last() {
+                    out.clause(&[!before, lit]);
+                }
+                rest.lits.push(lit);
+                self.exclude_others(time, lit, task, out);
+                self.stand(time, v, lit, true, added, out);
             }
-            self.rest.push(lit);
-            self.exclude_others(time, lit, task, out);
-            self.stand(time, task.goal, lit, true, added, out);
         }
+        self.rest = rests;
     }
 
-    /// Where a charge at one charger is demanded, it is in one place at a time.
+    /// Where a charge at one charger is required, it is in one place at a time.
     fn exclude_others(&mut self, time: u32, lit: Lit, task: &Task, out: &mut impl Clauses) {
-        if matches!(task.demand, Some(TaskConstraint::Charge { .. })) {
+        if task.conditions.must_charge() {
             let time = time as usize;
             if self.alone.len() <= time {
                 self.alone.resize(time + 1, AtMostOne::default());
@@ -134,11 +163,13 @@ impl MddEncoding {
             if !self.stays {
                 return; // it may end here, whatever the deadline
             }
-            if time >= deadline {
+            if !self.anywhere && time >= deadline {
                 self.due.entry(time + 1).or_default().push(id);
                 return;
             }
-            clause.extend(self.rest(time + 1));
+            if let Place::At(v) = node.place {
+                clause.extend(self.rest(v, time + 1));
+            }
         }
         let within = node.steps.iter().take_while(|s| s.f_value <= deadline);
         let targets: Vec<NodeId> = within

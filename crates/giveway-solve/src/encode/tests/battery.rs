@@ -61,7 +61,7 @@ impl Trial {
             sat,
             reserve,
             optimum,
-            code: BatteryCode::new(reserve),
+            code: BatteryCode::new(reserve, std::iter::empty()),
         }
     }
 

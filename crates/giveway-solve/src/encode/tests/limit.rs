@@ -13,7 +13,7 @@ fn check(sizes: &[usize]) {
         let mut numbers: Vec<Vec<Lit>> = Vec::new();
         for &size in sizes {
             let digits = fresh(&mut sat, size);
-            limit.add(&digits, &mut sat);
+            limit.add(&digits, &mut sat).unwrap();
             numbers.push(digits);
             for values in each_list(&sizes[..numbers.len()]) {
                 let pairs = numbers.iter().zip(&values);

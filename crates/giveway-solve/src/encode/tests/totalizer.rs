@@ -1,14 +1,21 @@
 //! Sums in unary.
 
+use std::rc::Rc;
+
 use super::{as_bits, as_unary, can, fresh, solver};
-use crate::encode::totalizer::{merge, totalizer};
+use crate::{
+    Limits, SilentHost,
+    budget::{Budget, Stop},
+    encode::totalizer::{merge, totalizer},
+    sat::Sat,
+};
 
 #[test]
 fn outputs_count_the_inputs() {
     for size in 0..=8 {
         let mut sat = solver();
         let inputs = fresh(&mut sat, size);
-        let outputs = totalizer(&inputs, &mut sat);
+        let outputs = totalizer(&inputs, &mut sat).unwrap();
         assert_eq!(outputs.len(), size);
         for bits in 0..1 << size {
             let given = as_bits(&inputs, bits);
@@ -27,7 +34,7 @@ fn outputs_count_the_inputs() {
 fn an_output_bounds_the_inputs_that_are_not_given() {
     let mut sat = solver();
     let inputs = fresh(&mut sat, 7);
-    let outputs = totalizer(&inputs, &mut sat);
+    let outputs = totalizer(&inputs, &mut sat).unwrap();
     for (k, &more) in outputs.iter().enumerate() {
         for given in 0..=inputs.len() {
             let assumed = [&inputs[..given], &[!more]].concat();
@@ -40,7 +47,7 @@ fn an_output_bounds_the_inputs_that_are_not_given() {
 fn outputs_have_no_holes() {
     let mut sat = solver();
     let inputs = fresh(&mut sat, 6);
-    let outputs = totalizer(&inputs, &mut sat);
+    let outputs = totalizer(&inputs, &mut sat).unwrap();
     for (k, &more) in outputs.iter().enumerate() {
         for &fewer in &outputs[..k] {
             assert!(!can(&mut sat, &[more, !fewer]), "more than {k}");
@@ -52,7 +59,7 @@ fn outputs_have_no_holes() {
 fn check_merge(left: usize, right: usize, most: usize) {
     let mut sat = solver();
     let [a, b] = [left, right].map(|size| fresh(&mut sat, size));
-    let sum = merge(&a, &b, most, &mut sat);
+    let sum = merge(&a, &b, most, &mut sat).unwrap();
     assert_eq!(sum.len(), (left + right).min(most));
     for i in 0..=left {
         for j in 0..=right {
@@ -84,4 +91,14 @@ fn a_cut_leaves_the_lower_outputs_right() {
             check_merge(left, right, most);
         }
     }
+}
+
+#[test]
+fn a_large_sum_is_given_up_with_the_budget() {
+    let budget = Budget::new(&SilentHost, Limits::default()).with_clauses(10_000);
+    let budget = Rc::new(budget);
+    let mut sat = Sat::new(Rc::clone(&budget));
+    let [a, b] = [5_000, 5_000].map(|size| fresh(&mut sat, size));
+    assert_eq!(merge(&a, &b, usize::MAX, &mut sat), Err(Stop::Conflicts));
+    assert!(budget.given() < 20_000, "{}", budget.given());
 }

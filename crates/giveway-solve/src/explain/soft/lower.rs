@@ -39,7 +39,7 @@ impl SoftRules<'_, '_, '_> {
         };
         let breaches = (self.breaches)(&self.team, self.problem);
         let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
-        let counted = capped(&lits, count + 1, self.team.clauses());
+        let counted = capped(&lits, count + 1, self.team.clauses())?;
         let mut fixed: Vec<Lit> = counted.get(count).map(|&more| !more).into_iter().collect();
         self.lower_deadline(sooner.map_or(first, |d| d + 1), latest, &fixed)?;
         let Some((_, latest, ..)) = self.best else {
@@ -65,7 +65,7 @@ impl SoftRules<'_, '_, '_> {
         let most = self.best.as_ref().map_or(MOST_BROKEN, |best| best.0 - 1);
         let breaches = (self.breaches)(&self.team, self.problem);
         let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
-        let counted = capped(&lits, most + 1, self.team.clauses());
+        let counted = capped(&lits, most + 1, self.team.clauses())?;
         let by = self.deadlines(deadline);
         let mut most = Some(most);
         while let Some(k) = most.filter(|&k| k > 0) {
@@ -100,7 +100,7 @@ impl SoftRules<'_, '_, '_> {
             }
         }
         let least: u32 = self.problem.optima.iter().sum();
-        let outputs = totalizer(&delays, self.team.clauses());
+        let outputs = totalizer(&delays, self.team.clauses())?;
         loop {
             let Some(&(_, _, sum, _)) = self.best.as_ref() else {
                 return Ok(());

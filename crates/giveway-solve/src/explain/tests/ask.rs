@@ -9,10 +9,7 @@ use giveway_model::{Cost, Instance, Objective};
 use crate::{
     Limits, SilentHost, Status,
     budget::Budget,
-    explain::{
-        ask::{Ask, Found, any, at_most, best},
-        past::Past,
-    },
+    explain::ask::{Ask, Found, any, at_most, best},
     joint,
     problem::{Problem, Relaxed},
     search::Reach,
@@ -32,12 +29,11 @@ fn ask<T>(
     with(&Ask {
         instance,
         relaxed,
-        condition: None,
+        conditions: &[],
         objective: &objective.parse().unwrap(),
         caps: &BTreeMap::new(),
         within: None,
         at_least_within: 0,
-        past: &Past::default(),
     })
 }
 

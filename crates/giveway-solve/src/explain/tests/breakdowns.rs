@@ -142,7 +142,7 @@ fn a_breakdown_begins_at_the_end_of_a_slow_move() {
     let answer = course.ask("wait a");
     assert_eq!(
         (answer.since, answer.verdict),
-        (Some(2), Verdict::Necessary)
+        (Some(1), Verdict::Necessary)
     );
     assert_eq!(texts(&answer), ["a is broken down from time 2 to 4"]);
     assert_eq!(course.ask("plan").optimal, Some(true));

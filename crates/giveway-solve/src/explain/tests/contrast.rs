@@ -20,8 +20,8 @@ use crate::{
         edits::edited,
         group::{groups, without},
         group_mus::{Inquiry, Tried, group_mus},
-        past::Past,
         verdict::{Case, compare},
+        whole::Whole,
     },
     problem::Relaxed,
     serve,
@@ -147,12 +147,11 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
             &Ask {
                 instance: &instance,
                 relaxed: &Relaxed::default(),
-                condition: None,
+                conditions: &[],
                 objective: instance.objective(),
                 caps: &BTreeMap::new(),
                 within: None,
                 at_least_within: 0,
-                past: &Past::default(),
             },
             &budget(),
         );
@@ -162,8 +161,8 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
         let all = questions(&instance, &plan);
         // A few of them, other kinds with every seed.
         for question in all.iter().skip(seed as usize % 5).step_by(5) {
-            let past = Past::default();
-            let case = Case::new(&instance, question, &plan, costs, None, &past);
+            let whole = Whole::default();
+            let case = Case::new(&instance, question, &plan, costs, None, whole);
             let compared = compare(&case, &budget());
             let verdict = compared.verdict;
             if !matches!(verdict, Verdict::Necessary | Verdict::Costly) {

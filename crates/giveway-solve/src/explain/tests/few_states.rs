@@ -10,7 +10,7 @@ use crate::{
     serve,
 };
 
-fn asked(
+pub(super) fn asked(
     instance: &Instance,
     (plan, question): (Option<Plan>, Question),
     objective: &str,

@@ -6,6 +6,8 @@ mod contrast;
 mod few_states;
 mod fewest;
 mod further;
+mod half_way;
+mod late;
 mod own_plan;
 mod repairs;
 mod rest;

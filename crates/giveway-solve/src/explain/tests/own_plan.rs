@@ -11,15 +11,15 @@ use crate::{
     explain::{
         answer::Excess,
         own_plan::{Judged, judge},
-        past::Past,
+        whole::Whole,
         words::own_plan,
     },
 };
 
 fn judged(instance: &Instance, plan: &Plan) -> (Judged, String) {
     let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
-    let past = Past::default();
-    let judged = judge(instance, plan, instance.objective(), None, &past, &budget);
+    let whole = Whole::default();
+    let judged = judge(instance, plan, instance.objective(), None, whole, &budget);
     let costs = judged.costs.unwrap_or_default();
     let better = judged.better.as_ref().map(|(_, costs)| costs);
     let words = own_plan(&judged, instance.objective(), &costs, better);

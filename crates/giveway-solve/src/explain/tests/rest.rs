@@ -212,30 +212,6 @@ fn another_plan_says_who_slept() {
 }
 
 #[test]
-fn who_is_half_way_along_a_slow_move_is_waited_for() {
-    let course = course(
-        r#"{ "giveway": 1, "map": [".~~...", "......"], "agents": [
-            { "name": "a", "start": [1, 0], "goal": [4, 0] }] }"#,
-        r#"{ "giveway": 1, "paths": { "a": [[1, 0], null, [2, 0], [2, 0], [3, 0], [4, 0]] } }"#,
-        r#"{ "at": 1, "change": "add-obstacle", "cell": [5, 1] }"#,
-    );
-    let answer = course.ask("wait a");
-    assert_eq!(
-        (answer.since, answer.verdict),
-        (Some(2), Verdict::Improvable)
-    );
-    assert_eq!(course.costs(&answer.alternative.unwrap()).makespan, 4);
-    let mut late = course.request("unsolvable");
-    late.question = Question::Unsolvable;
-    let refused = explained(late).unwrap_err().sentences().join(" ");
-    assert_eq!(
-        refused,
-        "At time 1 a is in the middle of a slow move. Questions about the time after that cannot \
-         be answered."
-    );
-}
-
-#[test]
 fn what_is_past_is_refused() {
     let course = around();
     assert_eq!(

@@ -17,8 +17,8 @@ use crate::{
         ask::{Ask, Found, any},
         edits::edited,
         group::{groups, without},
-        past::Past,
         unsolvable::{AnyPlan, core, of_class},
+        whole::Whole,
     },
     problem::Relaxed,
     serve,
@@ -33,12 +33,11 @@ fn find(instance: &Instance, within: Option<u32>) -> Found {
     let ask = Ask {
         instance,
         relaxed: &Relaxed::default(),
-        condition: None,
+        conditions: &[],
         objective: instance.objective(),
         caps: &BTreeMap::new(),
         within,
         at_least_within: 0,
-        past: &Past::default(),
     };
     any(&ask, &budget())
 }
@@ -180,7 +179,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
             objective: instance.objective(),
             horizon: found.horizon,
             budget: budget(),
-            past: &Past::default(),
+            whole: Whole::default(),
         };
         let core = core(&instance, None, &found, &mut any_plan).unwrap();
         assert!(core.minimal, "{seed}");
@@ -195,12 +194,11 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
             let ask = Ask {
                 instance: &variant.instance,
                 relaxed: &variant.relaxed,
-                condition: None,
+                conditions: &[],
                 objective: instance.objective(),
                 caps: &BTreeMap::new(),
                 within: None,
                 at_least_within: 0,
-                past: &Past::default(),
             };
             any(&ask, &budget()).status
         };

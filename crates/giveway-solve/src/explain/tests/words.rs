@@ -6,8 +6,8 @@ use super::{read, scenario_1};
 use crate::explain::{
     Core, Edit, Repair, Verdict, WitnessEntry,
     group::groups,
-    past::Past,
     waits,
+    whole::Whole,
     words::{Telling, verdict},
 };
 
@@ -25,7 +25,7 @@ fn plain(
     alternative: Option<&Plan>,
 ) -> String {
     verdict(&Telling {
-        past: &Past::default(),
+        whole: Whole::default(),
         instance,
         question: &asked(words),
         objective: instance.objective(),
@@ -43,7 +43,7 @@ fn plain(
 fn scenario_1_is_told_as_a_person_would() {
     let (instance, plan, other) = scenario_1();
     let question = asked("wait A2 --at 3,1");
-    let entries: Vec<WitnessEntry> = waits::witness(&instance, &question, &plan, &Past::default())
+    let entries: Vec<WitnessEntry> = waits::witness(&instance, &question, &plan, Whole::default())
         .into_iter()
         .map(|violation| WitnessEntry {
             violation,
@@ -51,7 +51,7 @@ fn scenario_1_is_told_as_a_person_would() {
         })
         .collect();
     let words = verdict(&Telling {
-        past: &Past::default(),
+        whole: Whole::default(),
         instance: &instance,
         question: &question,
         objective: instance.objective(),
@@ -129,7 +129,7 @@ fn each_kind_of_question_has_its_contrast() {
             "wait A1 --from 2 --to 5",
             "A1 does not wait between time 2 and 5",
         ),
-        ("wait A1 --from 2", "A1 does not wait after time 2"),
+        ("wait A1 --from 2", "A1 does not wait from time 2 on"),
         ("wait A1 --at-least 3", "A1 does not wait 3 steps in a row"),
         ("charge A1", "A1 does not charge"),
         (
@@ -207,7 +207,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         text: "Remove the obstacle at (2, 0): makespan 3, sum of costs 6.".to_owned(),
     };
     let words = verdict(&Telling {
-        past: &Past::default(),
+        whole: Whole::default(),
         instance: &instance,
         question: &asked("makespan"),
         objective: instance.objective(),

@@ -1,18 +1,7 @@
 //! Costs, and how two plans differ in them.
 
-use giveway_model::words::and;
+use giveway_model::words::{and, noun};
 use giveway_model::{Cost, Costs, Objective, tr};
-
-/// The name of a cost, as a noun of one thing.
-pub(crate) fn name(cost: Cost) -> &'static str {
-    match cost {
-        Cost::Makespan => tr!("makespan"),
-        Cost::SumOfCosts => tr!("sum of costs"),
-        Cost::Charges => tr!("number of charges"),
-        Cost::Moves => tr!("number of moves"),
-        Cost::Waits => tr!("number of waits"),
-    }
-}
 
 /// `a makespan of 6 instead of 4 and a sum of costs of 9 instead of 7`: where
 /// costs differ, in the order of the objective.
@@ -22,7 +11,7 @@ pub(crate) fn instead(objective: &Objective, now: &Costs, before: &Costs) -> Str
         (now != before).then(|| {
             tr!(
                 "a {cost} of {now} instead of {before}",
-                cost = name(cost),
+                cost = noun(cost),
                 now,
                 before
             )

@@ -1,9 +1,7 @@
 //! What is different in the other plan, in a few words.
 
 use giveway_model::words::and;
-use giveway_model::{Cell, Cost, Instance, Plan, Question, tr};
-
-use crate::explain::own_plan::own_costs;
+use giveway_model::{Cell, Cost, Instance, Plan, Question, check::own_costs, tr};
 
 /// What could be instead, as a clause: `A1 could wait instead`; `None` where
 /// there is nothing short to say.

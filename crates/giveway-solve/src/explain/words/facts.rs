@@ -9,13 +9,18 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
     let agent = |a: usize| instance.agents().get(a);
     let name = |a: usize| agent(a).map_or("", |agent| agent.name.as_str());
     match group {
-        Group::Task(a) => agent(a).map_or_else(String::new, |a| {
-            tr!(
+        Group::Task(a) => agent(a).map_or_else(String::new, |a| match a.goal {
+            Some(goal) => tr!(
                 "{agent} must go from {start} to {goal}",
                 agent = a.name,
                 start = a.start,
-                goal = a.goal
-            )
+                goal
+            ),
+            None => tr!(
+                "{agent} starts at {start} and may rest at any cell",
+                agent = a.name,
+                start = a.start
+            ),
         }),
         Group::Waypoint(a, cell) => tr!("{name} must visit {cell}", name = name(a), cell),
         Group::Battery(a) => {
@@ -32,14 +37,10 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
         }
         Group::Obstacle(cell) => tr!("{cell} is an obstacle", cell),
         Group::Collision(a, b) => tr!("{a} and {b} must not collide", a = name(a), b = name(b)),
-        Group::Stay(a) => {
-            let goal = agent(a).map(|agent| agent.goal.to_string());
-            tr!(
-                "{name} stays at its goal {goal}",
-                name = name(a),
-                goal = goal.unwrap_or_default()
-            )
-        }
+        Group::Stay(a) => match agent(a).and_then(|agent| agent.goal) {
+            Some(goal) => tr!("{name} stays at its goal {goal}", name = name(a), goal),
+            None => tr!("{name} stays where it rests", name = name(a)),
+        },
         Group::Slow => tr!("moves in the slow zone take 2 steps").to_owned(),
         Group::Deadline => {
             let within = within.unwrap_or_default();
@@ -49,17 +50,17 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let floor = instance.rules().battery_floor;
             tr!("no battery may fall below {floor}", floor)
         }
-        Group::Breakdown(..) => group
+        Group::Breakdown(a, _) => group
             .breakdown(instance)
-            .map_or_else(String::new, broken_down),
+            .map_or_else(String::new, |it| broken_down(name(a), it)),
     }
 }
 
 /// A breakdown as a clause: `A1 is broken down from time 3 to 43`.
-pub(super) fn broken_down(breakdown: &Breakdown) -> String {
+pub(super) fn broken_down(agent: &str, breakdown: &Breakdown) -> String {
     tr!(
         "{agent} is broken down from time {from} to {to}",
-        agent = breakdown.agent,
+        agent,
         from = breakdown.from,
         to = breakdown.to
     )

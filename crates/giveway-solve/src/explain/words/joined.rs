@@ -89,6 +89,8 @@ fn together(facts: &[&Fact]) -> String {
         FactKind::Obstacle => tr!("{cells} are obstacles", cells = cells()),
         FactKind::Collision => tr!("these pairs must not collide: {pairs}", pairs = list()),
         FactKind::Stay => tr!("{robots} stay at their goals", robots = list()),
+        FactKind::Presence => tr!("{robots} may rest at any cell", robots = list()),
+        FactKind::Rest => tr!("{robots} stay where they rest", robots = list()),
         // Of these there is one at most.
         FactKind::Slow | FactKind::Deadline | FactKind::Floor => facts[0].text.clone(),
         FactKind::Breakdown => tr!("{robots} are broken down", robots = list()),

@@ -40,7 +40,7 @@ pub(crate) fn unsolvable(
                 Some(tr!(
                     "{agent} would {would}",
                     agent,
-                    would = would(agent, own, &[])
+                    would = would(agent, own, None)
                 ))
             })
             .collect();

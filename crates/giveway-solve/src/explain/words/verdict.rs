@@ -10,7 +10,7 @@ use super::{
     repairs::{led_to, phrase},
     violations::would,
 };
-use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, past::Past};
+use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, whole::Whole};
 
 /// All that is known, as far as it is known.
 pub(crate) struct Telling<'a> {
@@ -19,8 +19,9 @@ pub(crate) struct Telling<'a> {
     pub(crate) objective: &'a Objective,
     /// The plan that is asked about.
     pub(crate) plan: &'a Plan,
-    /// What is past already; all times and costs are told as those of the whole.
-    pub(crate) past: &'a Past,
+    /// The plan of which the instance is the rest; all times and costs are told as those
+    /// of the whole.
+    pub(crate) whole: Whole<'a>,
     pub(crate) verdict: Verdict,
     /// The other plan.
     pub(crate) alternative: Option<&'a Plan>,
@@ -37,7 +38,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
     let Some(contrast) = contrast(telling) else {
         return String::new();
     };
-    let costs = |plan: &Plan| telling.past.told_costs(telling.instance, plan);
+    let costs = |plan: &Plan| telling.whole.costs_of(telling.instance, plan);
     let before = costs(telling.plan).unwrap_or_default();
     let mut sentences = Vec::new();
     let (agent, entries) = telling.witness;
@@ -50,7 +51,7 @@ pub(crate) fn verdict(telling: &Telling) -> String {
         } else {
             agent
         };
-        let what = would(agent, &violations, telling.instance.breakdowns());
+        let what = would(agent, &violations, Some(telling.instance));
         sentences.push(tr!(
             "If {would}, {who} would {what}.",
             would = contrast.would,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::check::{Rule, Violation};
 use giveway_model::words::and;
-use giveway_model::{Breakdown, tr};
+use giveway_model::{Instance, tr};
 
 use super::facts::broken_down;
 
@@ -13,14 +13,14 @@ const MOST: usize = 3;
 
 /// `meet A1 at (2, 1) at time 1 and have too little battery at time 9`. A meeting with
 /// an agent that has broken down names the breakdown.
-pub(crate) fn would(agent: &str, violations: &[&Violation], breakdowns: &[Breakdown]) -> String {
+pub(crate) fn would(agent: &str, violations: &[&Violation], instance: Option<&Instance>) -> String {
     let mut phrases: Vec<String> = Vec::new();
     let mut seen = BTreeSet::new();
     for violation in violations {
         // Who has met somebody once need not be told of it again.
         let collides = violation.agents.len() > 1;
         if !collides || seen.insert(&violation.agents) {
-            phrases.push(phrase(agent, violation, breakdowns));
+            phrases.push(phrase(agent, violation, instance));
         }
     }
     let more = phrases.len().saturating_sub(MOST);
@@ -31,17 +31,19 @@ pub(crate) fn would(agent: &str, violations: &[&Violation], breakdowns: &[Breakd
     and(&phrases)
 }
 
-fn phrase(agent: &str, violation: &Violation, breakdowns: &[Breakdown]) -> String {
-    let now = |it: &&Breakdown| (it.from..it.to).contains(&violation.time);
-    let of = |it: &&Breakdown| violation.agents.contains(&it.agent);
-    let of_now = breakdowns.iter().filter(|it| now(it) && of(it));
-    let longest = of_now.max_by_key(|breakdown| breakdown.to);
+fn phrase(agent: &str, violation: &Violation, instance: Option<&Instance>) -> String {
+    let breakdowns = violation.agents.iter().flat_map(|name| {
+        let own = instance.map_or(&[][..], |it| &it.start_state(name).breakdowns);
+        own.iter().map(move |breakdown| (name, breakdown))
+    });
+    let of_now = breakdowns.filter(|(_, it)| (it.from..it.to).contains(&violation.time));
+    let longest = of_now.max_by_key(|(_, breakdown)| breakdown.to);
     match longest {
-        Some(breakdown) if breakdown.agent != agent => {
+        Some((name, breakdown)) if name != agent => {
             let meets = of_rule(agent, violation);
-            format!("{meets} ({})", broken_down(breakdown))
+            format!("{meets} ({})", broken_down(name, breakdown))
         }
-        Some(breakdown) if violation.rule == Rule::Move => {
+        Some((_, breakdown)) if violation.rule == Rule::Move => {
             tr!("a robot would" => "have to move at time {time}, but it is broken down until time {to}",
                 time = violation.time,
                 to = breakdown.to

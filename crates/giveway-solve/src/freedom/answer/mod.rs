@@ -1,4 +1,4 @@
-//! What must be so in every best plan, and what is free to choose.
+//! What all best plans share, and what is free to choose.
 //!
 //! A best plan is one with the least costs, compared in the order of the objective.
 //! Each part tells item by item what is proved and what is open.

@@ -15,13 +15,14 @@ use crate::{
     encode::at_most_one::AtMostOne,
     problem::Problem,
     sat::{Clauses, Lit, Sat},
-    single::{Place, Reserve},
+    single::{Place, Reserve, Task},
 };
 
 /// One agent inside the formula.
 pub(super) struct AgentCode {
     stays: bool,
-    goal: Place,
+    /// Where it arrives; `None` where it may rest at any vertex.
+    goal: Option<Place>,
     /// A literal that always holds.
     truth: Lit,
     pub(super) cap: u32,
@@ -51,7 +52,7 @@ impl AgentCode {
         }
         let mut code = Self {
             stays: problem.rests(agent),
-            goal: Place::At(problem.tasks[agent].goal),
+            goal: problem.tasks[agent].goal.map(Place::At),
             truth,
             cap,
             places: Vec::new(),
@@ -83,31 +84,46 @@ impl AgentCode {
     pub(super) fn entry(&self, way: &Way, time: u32) -> Option<Lit> {
         match way.at(time) {
             Some(place) => self.at(time, place),
-            None if self.stays => self.at(time, self.goal),
+            None if self.stays => self.at(time, self.goal.or(way.places.last().copied())?),
             None => Some(self.gone(time)),
+        }
+    }
+
+    /// The time up to its cap at which it is where it is at a time, of an agent that
+    /// rests anywhere; any other is at its goal after its cap, or gone.
+    fn settled(&self, time: u32) -> u32 {
+        if self.stays && self.goal.is_none() {
+            time.min(self.cap)
+        } else {
+            time
         }
     }
 
     /// "At this place at this time".
     pub(super) fn at(&self, time: u32, place: Place) -> Option<Lit> {
+        let time = self.settled(time);
         if time > self.cap {
-            return (self.stays && place == self.goal).then_some(self.truth);
+            return (self.stays && Some(place) == self.goal).then_some(self.truth);
         }
         self.places.get(time as usize)?.get(&place).copied()
     }
 
     /// Where it may be at a time, with literals.
     pub(super) fn places_at(&self, time: u32) -> Vec<(Place, Lit)> {
-        match self.places.get(time as usize) {
+        match self.places.get(self.settled(time) as usize) {
             Some(places) => places.iter().map(|(&place, &lit)| (place, lit)).collect(),
-            None if self.stays => vec![(self.goal, self.truth)],
+            None if self.stays => self
+                .goal
+                .map(|goal| (goal, self.truth))
+                .into_iter()
+                .collect(),
             None => Vec::new(),
         }
     }
 
     /// Whether nothing but one place is possible at a time.
     pub(super) fn is_fixed(&self, time: u32) -> bool {
-        let layer = self.places.get(time as usize);
+        let layer = self.places.get(self.settled(time) as usize);
         layer.is_none_or(|places| places.len() == 1 && (self.stays || time == 0))
     }
 
@@ -137,8 +153,12 @@ impl AgentCode {
         out: &mut Sat,
     ) {
         let task = &problem.tasks[agent];
-        let end: Spot = (self.goal, task.all());
         self.by = (0..self.cap).map(|_| out.fresh()).collect();
+        let Some(goal) = self.goal else {
+            self.write_rests(task, spots, out);
+            return;
+        };
+        let end: Spot = (goal, task.all());
         for time in 0..self.cap {
             let (by, next) = (self.by(time), self.by(time + 1));
             out.clause(&[!by, next]);
@@ -165,6 +185,30 @@ impl AgentCode {
             if let (Some(before), Some(here)) = (at(time - 1), at(time)) {
                 out.clause(&[!before, !here, !self.by(time)]);
             }
+        }
+    }
+
+    /// When it has arrived, where it rests anywhere: it is at one vertex from then on,
+    /// all waypoints visited.
+    fn write_rests(&self, task: &Task, spots: &[BTreeMap<Spot, Lit>], out: &mut Sat) {
+        for time in 0..self.cap {
+            let (by, next) = (self.by(time), self.by(time + 1));
+            out.clause(&[!by, next]);
+            let mut somewhere = vec![!by];
+            for (spot, &here) in &spots[time as usize] {
+                if !is_end(task, *spot) {
+                    continue;
+                }
+                somewhere.push(here);
+                match spots[time as usize + 1].get(spot) {
+                    Some(&still) => {
+                        out.clause(&[!by, !here, still]);
+                        out.clause(&[by, !here, !still, !next]);
+                    }
+                    None => out.clause(&[!by, !here]),
+                }
+            }
+            out.clause(&somewhere);
         }
     }
 

@@ -5,6 +5,7 @@ use giveway_model::{Cost, Costs, Objective};
 
 use super::agent::AgentCode;
 use crate::{
+    budget::Stop,
     encode::{limit::SumLimit, totalizer::capped},
     problem::Problem,
     sat::{Clauses, Lit, Sat},
@@ -12,12 +13,15 @@ use crate::{
 };
 
 /// Writes the limits. The makespan needs none: it is in the caps.
+///
+/// # Errors
+/// When the budget is spent.
 pub(super) fn limit(
     problem: &Problem,
     agents: &[AgentCode],
     (objective, best): (&Objective, &Costs),
     out: &mut Sat,
-) {
+) -> Result<(), Stop> {
     for &cost in objective.costs() {
         let most = best.get(cost);
         match cost {
@@ -28,19 +32,20 @@ pub(super) fn limit(
                 for (code, &optimum) in agents.iter().zip(&problem.optima) {
                     // Digit d: it arrives more than d steps after its optimum.
                     let delays = (optimum..code.cap).map(|time| !code.by(time));
-                    sum.add(&delays.collect::<Vec<Lit>>(), out);
+                    sum.add(&delays.collect::<Vec<Lit>>(), out)?;
                 }
             }
             Cost::Charges | Cost::Moves | Cost::Waits => {
                 let mut sum = SumLimit::new(most as usize);
                 for code in agents {
                     let events = events(code, cost, out);
-                    let digits = capped(&events, most as usize + 1, out);
-                    sum.add(&digits, out);
+                    let digits = capped(&events, most as usize + 1, out)?;
+                    sum.add(&digits, out)?;
                 }
             }
         }
     }
+    Ok(())
 }
 
 /// Literals that hold when an agent charges, moves or waits at a time.

@@ -58,7 +58,7 @@ impl<'h> BestPlans<'h> {
             latest: caps.latest.iter().copied().max().unwrap_or(0),
         };
         all.write_collisions(problem, budget)?;
-        costs::limit(problem, &all.agents, best, &mut all.sat);
+        costs::limit(problem, &all.agents, best, &mut all.sat)?;
         budget.check()?;
         Ok(all)
     }

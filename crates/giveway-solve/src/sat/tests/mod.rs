@@ -2,6 +2,7 @@
 
 mod budget;
 mod cores;
+pub(super) mod either;
 mod places;
 mod second;
 mod session;

@@ -148,7 +148,7 @@ impl Session {
                             return Err(format!("a core with {wrong:?}, which is not assumed"));
                         }
                         let core: Vec<[i32; 1]> =
-                            core.into_iter().map(|l| [to_number(&made, l)]).collect();
+                            core.iter().map(|&l| [to_number(&made, l)]).collect();
                         let all = clauses.iter().copied();
                         if satisfiable(all.chain(core.iter().map(<[i32; 1]>::as_slice))) {
                             return Err(format!("under {assumed:?} a core too small, {core:?}"));

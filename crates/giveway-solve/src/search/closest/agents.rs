@@ -1,79 +1,83 @@
 //! As few agents as can be do something else.
 //!
-//! By unsatisfiable cores over "does as before" (as in [`crate::search::sum`]); an
-//! agent that no core names is not inside the SAT solver at all, but in everyone's
-//! way where it was before.
+//! By core-guided search ([`oll`](crate::search::oll)) over "does as before". An agent that
+//! no core names is not inside the SAT solver at all, but in everyone's way where it was
+//! before.
 
 use super::{Near, NoneCloser};
 use crate::{
     budget::Stop,
-    encode::{collisions::AgentId, totalizer::totalizer},
-    sat::Lit,
-    search::growing::{Growing, Until},
+    encode::collisions::AgentId,
+    sat::{Lit, Sat},
+    search::{
+        growing::{Growing, Until},
+        oll::{Formula, Kept, Level, Oll},
+    },
 };
 
-/// An agent that does as before, or does not.
+/// That an agent does as before.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum SoftAgent {
+pub(super) enum AsBefore {
     /// An agent that is not inside the SAT solver.
-    Outside(AgentId),
+    Outside(AgentId, Lit),
     /// One that is.
-    Inside,
-    /// No more than this one of those that a core names.
-    Total,
+    Inside(Lit),
+}
+
+impl Level for AsBefore {
+    /// Whoever does something else may do anything.
+    fn raised(self, _: u32) -> Option<Self> {
+        None
+    }
+}
+
+impl<'h> Formula for Near<'_, 'h> {
+    type Out = Sat<'h>;
+
+    fn clauses(&mut self) -> &mut Sat<'h> {
+        self.search.team.clauses()
+    }
+}
+
+impl Kept<Near<'_, '_>> for AsBefore {
+    fn literal(self, _: &mut Near) -> Result<Option<Lit>, Stop> {
+        let (Self::Outside(_, same) | Self::Inside(same)) = self;
+        Ok(Some(same))
+    }
+
+    fn violation(self, kept: Lit, near: &mut Near) -> Result<Option<Lit>, Stop> {
+        match self {
+            Self::Outside(agent, _) => {
+                // From now on its place inside says where it is.
+                near.search.team.harden(!kept);
+                Ok(near.enter(agent)?.map(|same| !same))
+            }
+            Self::Inside(_) => Ok(Some(!kept)),
+        }
+    }
 }
 
 impl Near<'_, '_> {
     /// As few agents as can be do something else; `None` where there is no plan.
-    pub(super) fn few_agents(&mut self) -> Result<Option<NoneCloser>, Stop> {
+    pub(super) fn few_agents(
+        &mut self,
+        mut oll: Oll<AsBefore>,
+    ) -> Result<Option<NoneCloser>, Stop> {
         loop {
             self.extend()?;
-            let assumptions: Vec<Lit> = self.softs.keys().copied().collect();
+            let assumptions = oll.assumptions(false);
             match self.search.solve_growing(assumptions, Until::EVER)? {
-                Growing::Model if !self.cores.is_empty() => self.assume_totals(),
+                Growing::Model if oll.is_waiting() => {
+                    oll.begin_round(self)?;
+                }
                 Growing::Model => break,
                 Growing::Grown(_) => {}
                 Growing::Core(core) if core.lits().is_empty() => return Ok(None),
-                Growing::Core(core) => self.add_core(core.lits())?,
+                Growing::Core(core) => oll.add_core(self, core.lits())?,
             }
         }
         // Whoever does something else in any plan with so few has been named.
-        for &lit in self.softs.keys() {
-            self.search.team.harden(lit);
-        }
+        oll.harden(self);
         Ok(Some(NoneCloser(())))
-    }
-
-    /// One of those that a core names does something else.
-    fn add_core(&mut self, core: &[Lit]) -> Result<(), Stop> {
-        let mut violations = Vec::new();
-        for lit in core {
-            match self.softs.remove(lit) {
-                Some(SoftAgent::Outside(agent)) => {
-                    // From now on its place inside says where it is.
-                    self.search.team.harden(!*lit);
-                    if let Some(same) = self.enter(agent)? {
-                        violations.push(!same);
-                    }
-                }
-                Some(SoftAgent::Inside | SoftAgent::Total) => violations.push(!*lit),
-                None => {}
-            }
-        }
-        match violations.as_slice() {
-            [one] => self.search.team.harden(*one),
-            _ => self.cores.push(violations),
-        }
-        Ok(())
-    }
-
-    fn assume_totals(&mut self) {
-        for violations in std::mem::take(&mut self.cores) {
-            let outputs = totalizer(&violations, self.search.team.clauses());
-            // One of them is paid for; every further one costs as much again.
-            for &more in outputs.iter().skip(1) {
-                self.softs.insert(!more, SoftAgent::Total);
-            }
-        }
     }
 }

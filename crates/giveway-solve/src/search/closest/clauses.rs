@@ -1,29 +1,34 @@
 //! What an inside agent does and did, in clauses, as far as its MDD reaches.
 
+use std::collections::BTreeMap;
+
 use super::{Before, Near, Trace, entries::is_same_entry};
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
     sat::{Clauses, Lit},
     single::{NodeId, Place},
+    terrain::Vertex,
     walk::arrival,
 };
 
 /// How far the clauses of an inside agent are written.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Written {
     nodes: NodeId,
     rest: u32,
     charges: usize,
     entries: NodeId,
     rest_entries: u32,
+    /// Of an agent that rests anywhere: how many of its rests at each vertex.
+    rests: BTreeMap<Vertex, usize>,
 }
 
 impl Near<'_, '_> {
     /// Writes what is missing about the inside agents.
     pub(super) fn extend(&mut self) -> Result<(), Stop> {
         for agent in self.search.team.insiders() {
-            self.search.allowed.budget.check()?;
+            self.search.budget.check()?;
             let clauses = self.missing(agent);
             for clause in clauses {
                 self.search.team.clauses().clause(&clause);
@@ -50,7 +55,8 @@ impl Near<'_, '_> {
             }
             written.nodes = code.mdd().size();
             for time in written.rest..=arrival {
-                clauses.extend(code.resting(time).map(|rest| vec![!*same, !rest]));
+                let resting = code.resting(time);
+                clauses.extend(resting.map(|(_, rest)| vec![!*same, !rest]));
             }
             written.rest = arrival + 1;
             let lits = code.battery().map_or(&[][..], |battery| battery.charges());
@@ -63,14 +69,14 @@ impl Near<'_, '_> {
         let Some(differs) = self.differs.get(&agent) else {
             return clauses;
         };
-        let goal = Place::At(task.goal);
-        let was = |time: u32| walk.get(time as usize).copied().unwrap_or(goal);
+        let end = task.end_of(walk);
+        let was = |time: u32| walk.get(time as usize).copied().or(end);
         for id in written.entries..code.mdd().size() {
             let node = code.mdd().node(id);
             let Some(&differs) = differs.get(node.time as usize) else {
                 continue;
             };
-            if !is_same_entry(node.place, was(node.time)) {
+            if was(node.time).is_none_or(|was| !is_same_entry(node.place, was)) {
                 clauses.push(vec![!code.node(id), differs]);
             }
         }
@@ -82,7 +88,7 @@ impl Near<'_, '_> {
                     continue;
                 }
                 for time in node.time + 1..=arrival {
-                    if was(time) != goal
+                    if was(time) != Some(node.place)
                         && let Some(&differs) = differs.get(time as usize)
                     {
                         clauses.push(vec![!code.node(id), differs]);
@@ -91,10 +97,29 @@ impl Near<'_, '_> {
             }
         }
         written.entries = code.mdd().size();
+        if code.rests_anywhere() {
+            for (v, from, rests) in code.rests() {
+                let done = written.rests.entry(v).or_default();
+                for (time, &rest) in (from..).zip(rests).skip(*done) {
+                    // Where both walks are over, there is no entry to compare.
+                    if let Some(&differs) = differs.get(time as usize)
+                        && time <= arrival
+                        && was(time) != Some(Place::At(v))
+                    {
+                        clauses.push(vec![!rest, differs]);
+                    }
+                }
+                *done = rests.len();
+            }
+            return clauses;
+        }
         while let Some(&differs) = differs.get(written.rest_entries as usize) {
             let time = written.rest_entries;
-            match code.resting(time) {
-                Some(rest) if was(time) != goal => clauses.push(vec![!rest, differs]),
+            let resting = code.resting(time).next();
+            match resting {
+                Some((v, rest)) if was(time) != Some(Place::At(v)) => {
+                    clauses.push(vec![!rest, differs]);
+                }
                 None if time > self.problem.optima[agent] => break, // not written yet
                 _ => {}
             }

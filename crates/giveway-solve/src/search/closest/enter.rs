@@ -2,20 +2,24 @@
 
 use giveway_model::Cost;
 
-use super::{Before, Near, SoftAgent, Trace};
+use super::{AsBefore, Before, Near, Trace};
 use crate::{
     budget::Stop,
     encode::{agent::Added, collisions::AgentId},
     sat::{Clauses, Lit},
-    search::aim::Bounded,
-    single::{Place, TaskConstraint},
+    search::{
+        aim::Bounded,
+        oll::{Oll, Soft},
+    },
+    single::Place,
     walk::{arrival, costs_of, crossed},
 };
 
 impl Near<'_, '_> {
     /// Puts those inside who cannot do as before, or cost more than they would
     /// alone; the others are where they were.
-    pub(super) fn begin(&mut self, bounded: &Bounded) -> Result<(), Stop> {
+    pub(super) fn begin(&mut self, bounded: &Bounded) -> Result<Oll<AsBefore>, Stop> {
+        let mut oll = Oll::new();
         let inside = self.search.team.insiders();
         let mut entering = Vec::new();
         for agent in 0..self.problem.agents() {
@@ -24,7 +28,6 @@ impl Near<'_, '_> {
             for &cost in bounded.limits.keys() {
                 let least = match cost {
                     Cost::Makespan => continue,
-                    Cost::SumOfCosts => self.problem.least_cost(agent),
                     Cost::Charges => {
                         let charges = self.before[agent].charges.len() as u32;
                         dear |= charges > self.search.team.least(agent, cost)?;
@@ -39,15 +42,15 @@ impl Near<'_, '_> {
             } else {
                 let lit = self.search.team.clauses().fresh();
                 self.fix(agent, lit);
-                self.softs.insert(lit, SoftAgent::Outside(agent));
+                oll.assume(self, Soft::Level(AsBefore::Outside(agent, lit)))?;
             }
         }
         for agent in entering {
             if let Some(same) = self.enter(agent)? {
-                self.softs.insert(same, SoftAgent::Inside);
+                oll.assume(self, Soft::Level(AsBefore::Inside(same)))?;
             }
         }
-        Ok(())
+        Ok(oll)
     }
 
     /// The waypoints visited at each time of the given walk; `None` where the
@@ -72,11 +75,7 @@ impl Near<'_, '_> {
             let mut times = charges.iter();
             times.any(|&time| walk.get(time as usize) == Some(&Place::At(v)))
         };
-        let demanded = match task.demand {
-            Some(TaskConstraint::Charge { v, .. }) => charged(v),
-            _ => true,
-        };
-        if !(allowed && demanded) {
+        if !(allowed && task.conditions.charges().all(|(_, v)| charged(v))) {
             return None;
         }
         let mut mask = task.first_mask();
@@ -120,10 +119,12 @@ impl Near<'_, '_> {
                 added.crossings.push((time as u32, arc, [lit, lit]));
             }
         }
-        while self.problem.rests(agent) && latest < self.search.latest() {
-            latest += 1;
-            let goal = self.problem.tasks[agent].goal;
-            added.positions.push((latest, goal, lit));
+        let end = self.problem.tasks[agent].end_of(walk);
+        if let Some(Place::At(end)) = end.filter(|_| self.problem.rests(agent)) {
+            while latest < self.search.latest() {
+                latest += 1;
+                added.positions.push((latest, end, lit));
+            }
         }
         self.search.team.place(agent, &added);
     }

@@ -35,10 +35,13 @@ impl Near<'_, '_> {
             let out = self.search.team.clauses();
             let lits: Vec<Lit> = (0..=latest).map(|_| out.fresh()).collect();
             for lit in &lits {
-                sum = merge(&sum, &[*lit], best, out);
+                sum = merge(&sum, &[*lit], best, out)?;
             }
             self.differs.insert(agent, lits);
         }
+        self.search
+            .team
+            .reach(latest.iter().copied().max().unwrap_or(0));
         // The sum was cut at the best so far, which is never exceeded again.
         while let Some(&more) = best.checked_sub(1).and_then(|k| sum.get(k)) {
             self.search.team.harden(!more);
@@ -65,11 +68,14 @@ impl Near<'_, '_> {
     fn entries(&self, walks: &[Walk]) -> usize {
         let mut count = 0;
         for (agent, (walk, before)) in walks.iter().zip(self.before).enumerate() {
-            let goal = Place::At(self.problem.tasks[agent].goal);
-            let at = |walk: &Walk, time: usize| walk.get(time).copied().unwrap_or(goal);
+            let task = &self.problem.tasks[agent];
+            let at = |walk: &Walk, time: usize| walk.get(time).copied().or(task.end_of(walk));
             let times = 0..walk.len().max(before.walk.len());
             count += times
-                .filter(|&time| !is_same_entry(at(walk, time), at(&before.walk, time)))
+                .filter(|&time| match (at(walk, time), at(&before.walk, time)) {
+                    (Some(now), Some(then)) => !is_same_entry(now, then),
+                    (now, then) => now != then,
+                })
                 .count();
         }
         count

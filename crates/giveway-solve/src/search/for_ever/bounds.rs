@@ -1,34 +1,14 @@
-//! How far bounds reach that a search had proved when it ended early, and the
-//! bounds that need no search.
+//! How far bounds reach that a search had proved when it ended early.
 
 use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Objective};
 
-use super::{ForEver, Reach, latest_of_sum};
+use super::{ForEver, Reach};
 use crate::{
-    budget::{Budget, Stop},
     problem::Problem,
-    search::{horizon::Horizon, tally::least},
+    search::{horizon::Horizon, minima::LoneBound},
 };
-
-/// What no plan of any makespan has less of, since each agent alone needs as much.
-///
-/// # Errors
-/// When the budget is spent.
-pub(crate) fn lone_bound(problem: &Problem, cost: Cost, budget: &Budget) -> Result<u32, Stop> {
-    let mut bound: u32 = 0;
-    for agent in 0..problem.agents() {
-        bound = match cost {
-            Cost::Makespan => bound.max(problem.optima[agent]),
-            Cost::SumOfCosts => bound.saturating_add(problem.least_cost(agent)),
-            Cost::Charges | Cost::Moves | Cost::Waits => {
-                bound.saturating_add(least(problem, agent, cost, budget)?)
-            }
-        };
-    }
-    Ok(bound)
-}
 
 /// How far the bounds reach that a search within a horizon proved before it ended
 /// early: of each cost of the objective in turn, as far as it came. `lone` are
@@ -38,28 +18,24 @@ pub(crate) fn reach_of_bounds(
     horizon: Horizon,
     objective: &Objective,
     bounds: &BTreeMap<Cost, u32>,
-    lone: &BTreeMap<Cost, u32>,
+    lone: &BTreeMap<Cost, LoneBound>,
 ) -> Reach {
-    let latest = horizon.latest();
-    for cost in objective.costs() {
-        let Some(&bound) = bounds.get(cost) else {
+    let mut reason = None;
+    for &cost in objective.costs() {
+        let Some(&bound) = bounds.get(&cost) else {
             break;
         };
-        let holds = match cost {
-            // A plan of a lesser makespan would be within the horizon; so are all
-            // among which the later costs are bounded.
-            Cost::Makespan => return Reach::ForEver(ForEver(())),
-            Cost::SumOfCosts => latest_of_sum(problem, bound) <= latest,
-            Cost::Charges | Cost::Moves | Cost::Waits => false,
-        };
-        let is_lone = lone.get(cost) == Some(&bound);
-        if !(holds || is_lone || horizon.is_beyond_use()) {
-            return Reach::Within(latest);
+        // A plan of less time is within the horizon; so are all among which the later
+        // costs are bounded.
+        if let Some(in_time) = horizon.covers(problem, cost, bound) {
+            return Reach::ForEver(in_time.into());
         }
-        if *cost == Cost::SumOfCosts && holds {
-            // Of the plans among which the later costs are bounded none is later.
+        let alone = lone.get(&cost).and_then(|lone| lone.shows(bound));
+        let at_any = horizon.covers_all().map(ForEver::from);
+        reason = alone.map(ForEver::from).or(at_any);
+        if reason.is_none() {
             break;
         }
     }
-    Reach::ForEver(ForEver(()))
+    Reach::new(reason, horizon.latest())
 }

@@ -7,17 +7,11 @@ use giveway_model::{Cost, sorting};
 use super::ForEver;
 use crate::{
     budget::{Budget, Stop},
-    joint::{self, AllStates},
+    joint,
     problem::Problem,
-    search::{aim::Bounded, incumbent::Incumbent, prove::Shown, tally::least},
+    search::{aim::Bounded, incumbent::Incumbent, minima::Minima, prove::Shown},
     trace::FoundBy,
 };
-
-impl From<AllStates> for ForEver {
-    fn from(AllStates { .. }: AllStates) -> Self {
-        Self(())
-    }
-}
 
 /// The least value of a cost at any horizon.
 #[derive(Clone, Copy, Debug)]
@@ -43,11 +37,8 @@ pub(in crate::search) fn known_for_ever(
     if timed || !bounded.limits.is_empty() {
         return Ok(None);
     }
-    let mut minima = 0;
-    for agent in 0..problem.agents() {
-        minima += least(problem, agent, cost, budget)?;
-    }
-    if costs.get(cost) == minima {
+    let lone = Minima::default().bound(problem, cost, budget)?;
+    if costs.get(cost) == lone.at_least() {
         return Ok(None);
     }
     let all: Vec<usize> = (0..problem.agents()).collect();
@@ -128,17 +119,16 @@ pub(in crate::search) fn best(
     let objective = incumbent.objective().clone();
     // What is used of a limited cost makes states many, so first without.
     let free = BTreeMap::new();
-    let mut within = bounded.limits.clone();
-    within.insert(Cost::Makespan, bounded.latest());
-    let mut tried = vec![(&free, true)];
+    let mut tried = vec![(&free, None)];
     if !bounded.limits.is_empty() {
-        tried.push((&bounded.limits, true));
+        tried.push((&bounded.limits, None));
     }
-    if within != bounded.limits {
-        tried.push((&within, false));
+    let latest = Some(bounded.latest());
+    if bounded.limits.get(&Cost::Makespan).copied() != latest {
+        tried.push((&bounded.limits, latest));
     }
-    for (limits, at_any_horizon) in tried {
-        let (vector, shown) = match joint::best(problem, &objective, limits, budget)? {
+    for (limits, latest) in tried {
+        let (vector, shown) = match joint::best(problem, &objective, (limits, latest), budget)? {
             joint::Exhausted::TooMany => return Ok(None),
             joint::Exhausted::None(_) if incumbent.costs().is_some() => return Ok(None),
             joint::Exhausted::None(shown) => (None, shown),
@@ -151,7 +141,7 @@ pub(in crate::search) fn best(
         if at_hand == vector {
             let costs = objective.costs().iter().copied();
             let bounds = sorting::map(costs.zip(vector.into_iter().flatten()));
-            let reason = at_any_horizon.then(|| shown.into());
+            let reason = shown.map(ForEver::from);
             return Ok(Some(Optima { bounds, reason }));
         }
     }

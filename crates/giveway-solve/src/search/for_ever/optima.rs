@@ -3,11 +3,11 @@
 
 use giveway_model::Cost;
 
-use super::{ForEver, latest_of_sum, limits_time};
+use super::{ForEver, limits_time};
 use crate::{
     budget::Stop,
     problem::Problem,
-    search::{aim::Bounded, stage::Search},
+    search::{aim::Bounded, bound::Optimum, stage::Search},
 };
 
 /// What is known of the stages that have ended.
@@ -31,20 +31,20 @@ impl OfOptima {
         }
     }
 
-    /// A stage has ended with the least value of a cost, which may be `known` to
-    /// be the least at any horizon.
+    /// A stage has ended with the optimum of a cost, which may be `known` to be one at
+    /// any horizon.
     ///
     /// # Errors
     /// When the budget is spent.
     pub(in crate::search) fn and(
         &mut self,
         search: &mut Search,
-        (cost, least): (Cost, u32),
+        optimum: Optimum,
         known: Option<ForEver>,
         bounded: &Bounded,
     ) -> Result<(), Stop> {
         let reason = match self.time_is_bounded.or(known) {
-            None => of_bound(search, cost, least, bounded)?,
+            None => of_optimum(search, optimum, bounded)?,
             known => known,
         };
         self.all = if self.any {
@@ -53,9 +53,9 @@ impl OfOptima {
             reason
         };
         self.any = true;
-        // Among plans with this optimum none is later.
-        let timed = matches!(cost, Cost::Makespan | Cost::SumOfCosts);
-        self.time_is_bounded = self.time_is_bounded.or(timed.then_some(ForEver(())));
+        // Among plans with this optimum none is later, if it is one at any horizon.
+        let timed = matches!(optimum.cost(), Cost::Makespan | Cost::SumOfCosts);
+        self.time_is_bounded = self.time_is_bounded.or(reason.filter(|_| timed));
         Ok(())
     }
 
@@ -65,21 +65,20 @@ impl OfOptima {
     }
 }
 
-/// Whether the bound on a cost holds whatever the horizon.
-fn of_bound(
+/// Whether the optimum of a cost is one whatever the horizon.
+fn of_optimum(
     search: &mut Search,
-    cost: Cost,
-    least: u32,
+    optimum: Optimum,
     bounded: &Bounded,
 ) -> Result<Option<ForEver>, Stop> {
-    let holds = match cost {
-        // A plan of a lesser makespan would be within the horizon.
-        Cost::Makespan => true,
-        Cost::SumOfCosts => {
-            let latest = latest_of_sum(search.problem, least);
-            search.allowed.deadlines.free_of_horizon(&[]) || bounded.horizon.latest() >= latest
-        }
-        _ => least == search.sum_of_minima(cost)? || search.allowed.deadlines.free_of_horizon(&[]),
-    };
-    Ok(holds.then_some(ForEver(())))
+    let (cost, least) = (optimum.cost(), optimum.least());
+    let in_time = bounded.horizon.covers(search.problem, cost, least);
+    if let Some(in_time) = in_time {
+        return Ok(Some(in_time.into()));
+    }
+    if let Some(free) = search.deadlines.free_of_horizon(&[]) {
+        return Ok(Some(ForEver::refuted(&optimum, free)));
+    }
+    let alone = search.team.lone_bound(cost)?.shows(least);
+    Ok(alone.map(ForEver::from))
 }

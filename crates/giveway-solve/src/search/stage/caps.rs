@@ -6,17 +6,17 @@ use crate::{budget::Stop, encode::collisions::AgentId};
 impl Search<'_, '_, '_> {
     /// The latest arrival of an agent that is still of interest.
     pub(crate) fn cap(&self, agent: AgentId) -> u32 {
-        self.allowed.deadlines.cap(agent)
+        self.deadlines.cap(agent)
     }
 
     /// The latest arrival of any agent.
     pub(crate) const fn latest(&self) -> u32 {
-        self.allowed.deadlines.latest()
+        self.deadlines.latest()
     }
 
     /// Allows no plan in which an agent arrives later.
     pub(crate) fn lower_cap(&mut self, agent: AgentId, cap: u32) {
-        if self.allowed.deadlines.lower(agent, cap) {
+        if self.deadlines.lower(agent, cap) {
             self.harden_cap(agent);
         }
     }
@@ -24,7 +24,7 @@ impl Search<'_, '_, '_> {
     /// Allows no plan in which an agent arrives later, as only plans worse than the best
     /// one have that.
     pub(crate) fn lower_cap_by_best(&mut self, agent: AgentId, cap: u32) {
-        if self.allowed.deadlines.lower_by_best(agent, cap) {
+        if self.deadlines.lower_by_best(agent, cap) {
             self.harden_cap(agent);
         }
     }
@@ -32,13 +32,12 @@ impl Search<'_, '_, '_> {
     /// Makes the cap a clause, once the MDD reaches it.
     pub(super) fn harden_cap(&mut self, agent: AgentId) {
         if self.team.is_inside(agent)
-            && let Some(cap) = self
-                .allowed
-                .deadlines
-                .harden(agent, self.team.deadline(agent))
+            && let Some(cap) = self.deadlines.harden(agent, self.team.deadline(agent))
             && let Some(by) = self.team.by(agent, cap)
         {
-            self.stages.worse.in_force |= self.allowed.deadlines.is_of_best(agent);
+            if self.deadlines.is_of_best(agent) {
+                self.claim.has_excluded();
+            }
             self.team.harden(by);
         }
     }
@@ -55,7 +54,7 @@ impl Search<'_, '_, '_> {
     pub(crate) fn grow_further(&mut self, agent: AgentId, latest: u32) -> Result<bool, Stop> {
         let covered = self.team.deadline(agent);
         let optimum = self.problem.optima[agent];
-        let Some(next) = self.allowed.deadlines.next(agent, covered, optimum, latest) else {
+        let Some(next) = self.deadlines.next(agent, covered, optimum, latest) else {
             return Ok(false);
         };
         self.grow(agent, next)?;

@@ -3,7 +3,7 @@
 use giveway_model::Cost;
 
 use super::Search;
-use crate::{budget::Stop, encode::collisions::AgentId, single::TaskConstraint, trace::FoundBy};
+use crate::{budget::Stop, encode::collisions::AgentId, trace::FoundBy};
 
 impl Search<'_, '_, '_> {
     /// Takes an agent inside, with all that holds for good.
@@ -13,20 +13,17 @@ impl Search<'_, '_, '_> {
         }
         self.team.enter(agent)?;
         self.harden_cap(agent);
-        if let Some(TaskConstraint::AtMost { cost, most }) = self.problem.tasks[agent].demand {
+        let problem = self.problem;
+        for (cost, most) in problem.tasks[agent].conditions.counted_limits() {
             // No agent is asked for less than it could have alone.
             if let Some(more) = self.team.more_than(agent, cost, most)? {
                 self.team.harden(!more);
             }
         }
-        let costs: Vec<Cost> = self.allowed.sums.keys().copied().collect();
-        for cost in costs {
-            let digits = self.digits(agent, cost)?;
-            if let Some(limit) = self.allowed.sums.get_mut(&cost) {
-                limit.add(&digits, self.team.clauses());
-            }
+        for number in 0..self.sums.len() {
+            self.add_to_limit(agent, number)?;
         }
-        for cost in self.stages.at_minima.clone() {
+        for cost in self.claim.minima_inside() {
             let least = self.team.least(agent, cost)?;
             if let Some(more) = self.team.more_than(agent, cost, least)? {
                 self.team.harden(!more);
@@ -35,8 +32,7 @@ impl Search<'_, '_, '_> {
         Ok(())
     }
 
-    /// Takes those inside whom a question asks for what only the SAT solver can
-    /// keep.
+    /// Takes agents inside whose conditions only the SAT solver can keep.
     pub(crate) fn enter_insiders(&mut self) -> Result<(), Stop> {
         for agent in self.problem.insiders() {
             self.enter(agent)?;
@@ -50,7 +46,7 @@ impl Search<'_, '_, '_> {
         self.team.read();
         let met = self.team.collide()?;
         let mut entering: Vec<AgentId> = met.keys().copied().collect();
-        for &cost in &self.stages.begun.clone() {
+        for &cost in &self.claim.minima_outside() {
             for agent in self.above_minimum(cost)? {
                 if !entering.contains(&agent) {
                     entering.push(agent);

@@ -4,48 +4,13 @@ use giveway_model::Cost;
 
 use super::Search;
 use crate::{
-    budget::{Budget, Stop},
+    budget::Stop,
     encode::{collisions::AgentId, limit::SumLimit},
-    problem::Problem,
     sat::Lit,
-    search::{aim::Bounded, tally::least},
-    single::TaskConstraint,
+    search::{aim::Bounded, minima::LimitTooLow},
 };
 
-/// The proof that no plan keeps a limit, of whatever makespan: the agents' own
-/// minima, from exact tables, are above it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct LimitTooLow(());
-
-/// An agent of which a question asks for less than it could have alone.
-pub(in crate::search) fn asked_below_minimum(
-    problem: &Problem,
-    budget: &Budget,
-) -> Result<Option<(usize, LimitTooLow)>, Stop> {
-    for (agent, task) in problem.tasks.iter().enumerate() {
-        if let Some(TaskConstraint::AtMost { cost, most }) = task.demand
-            && least(problem, agent, cost, budget)? > most
-        {
-            return Ok(Some((agent, LimitTooLow(()))));
-        }
-    }
-    Ok(None)
-}
-
 impl Search<'_, '_, '_> {
-    /// The sum of what each agent alone needs at the least.
-    pub(crate) fn sum_of_minima(&mut self, cost: Cost) -> Result<u32, Stop> {
-        let mut sum = 0;
-        for agent in 0..self.problem.agents() {
-            sum += match cost {
-                Cost::Makespan => 0,
-                Cost::SumOfCosts => self.problem.least_cost(agent),
-                _ => self.team.least(agent, cost)?,
-            };
-        }
-        Ok(sum)
-    }
-
     /// Makes the limits hold, those on the makespan apart; the proof that no plan
     /// keeps one, where the agents' own minima break it.
     pub(in crate::search) fn keep_limits(
@@ -54,7 +19,7 @@ impl Search<'_, '_, '_> {
     ) -> Result<Option<LimitTooLow>, Stop> {
         for (&cost, &most) in &bounded.limits {
             if cost != Cost::Makespan
-                && let Some(too_low) = self.limit(cost, most)?
+                && let Err(too_low) = self.limit(cost, most)?
             {
                 return Ok(Some(too_low));
             }
@@ -66,38 +31,64 @@ impl Search<'_, '_, '_> {
 
     /// Allows no plan whose sum of a cost is above `most`; the proof that there
     /// is none, where the sum of the agents' own minima is above it already.
-    fn limit(&mut self, cost: Cost, most: u32) -> Result<Option<LimitTooLow>, Stop> {
-        let least = self.sum_of_minima(cost)?;
-        let Some(spare) = most.checked_sub(least) else {
-            return Ok(Some(LimitTooLow(())));
+    fn limit(&mut self, cost: Cost, most: u32) -> Result<Result<(), LimitTooLow>, Stop> {
+        let spare = match self.team.lone_bound(cost)?.spare(most) {
+            Ok(spare) => spare,
+            Err(too_low) => return Ok(Err(too_low)),
         };
-        self.allowed
-            .sums
-            .insert(cost, SumLimit::new(spare as usize));
+        let limit = SumLimit::new(spare as usize);
+        self.sums.push((cost, limit));
         if cost == Cost::SumOfCosts {
             for agent in 0..self.problem.agents() {
                 let most = self.problem.least_cost(agent).saturating_add(spare);
                 self.lower_cap(agent, self.problem.time_of(agent, most));
             }
         } else {
-            self.stages.begun.push(cost);
+            self.claim.keep_outside(cost);
         }
-        Ok(None)
+        Ok(Ok(()))
     }
 
-    /// What an agent costs beyond its minimum, in unary, as far as the limit
+    /// Allows no plan whose sum of a cost is more than `most` above its bound. The sum
+    /// counts what the agents inside have above the bound; the others have their minima
+    /// as long as they are outside.
+    pub(in crate::search) fn limit_above_bound(&mut self, cost: Cost, sum: Vec<Lit>, most: u32) {
+        let limit = SumLimit::of_sum(sum, most as usize, self.team.clauses());
+        self.sums.push((cost, limit));
+    }
+
+    /// Adds what an agent that enters costs beyond its minimum to one of the limits.
+    pub(super) fn add_to_limit(&mut self, agent: AgentId, number: usize) -> Result<(), Stop> {
+        let Some((cost, limit)) = self.sums.get(number) else {
+            return Ok(());
+        };
+        let digits = self.digits(agent, *cost, limit.most() as u32)?;
+        if let Some((_, limit)) = self.sums.get_mut(number) {
+            limit.add(&digits, self.team.clauses())?;
+        }
+        Ok(())
+    }
+
+    /// What an agent costs beyond its minimum, in unary, as far as a limit of `most`
     /// needs it.
-    pub(super) fn digits(&mut self, agent: AgentId, cost: Cost) -> Result<Vec<Lit>, Stop> {
-        let most = self.allowed.sums.get(&cost).map_or(0, SumLimit::most) as u32;
+    fn digits(&mut self, agent: AgentId, cost: Cost, most: u32) -> Result<Vec<Lit>, Stop> {
         let mut digits = Vec::new();
+        let cap = self.cap(agent);
         for more in 0..=most {
+            self.budget.tick()?;
             let digit = match cost {
                 Cost::Makespan => None,
                 Cost::SumOfCosts => {
                     let cost = self.problem.least_cost(agent) + more;
                     let time = self.problem.time_of(agent, cost);
+                    // (A cost is no time: who slept has cost nothing since it arrived.)
+                    if time >= cap {
+                        break;
+                    }
                     self.team.by(agent, time).map(|by| !by)
                 }
+                // No agent has more of a count than steps up to its latest arrival.
+                _ if more > cap => break,
                 _ => {
                     let least = self.team.least(agent, cost)?;
                     self.team.more_than(agent, cost, least + more)?

@@ -11,25 +11,17 @@ use crate::{
     walk::Walk,
 };
 
-/// Clauses that the SAT solver derives, or is given, before the best plan is improved
-/// for the first time: what is proved sooner needs no better plan.
-const FIRST_DERIVED: u64 = 1000;
-const FIRST_GIVEN: u64 = 400_000;
 /// States of single agents that local search may look at, for each clause that the
 /// SAT solver derives: so both get their share of the time.
 const STATES_PER_CLAUSE: u64 = 60;
 /// The states for each agent that it may look at whenever the proof has come a step
 /// further, as long as the plan is far from the bound and becomes better.
 const STATES_PER_AGENT: u64 = 4000;
-/// Turns in vain after which there are no more.
+/// Improvement is given up after this many turns without a gain.
 const TURNS_IN_VAIN: u64 = 2;
 /// How much longer a state takes where agents have batteries, which safe intervals
 /// do not know.
 const DEARER: u64 = 8;
-/// The least that is worth to begin with.
-const LEAST_STATES: u64 = 20_000;
-/// States without a better plan, after which none is expected.
-const IN_VAIN: u64 = 1_000_000;
 
 /// The neighbourhood search, and when it goes on.
 pub(super) struct Polishing {
@@ -59,12 +51,14 @@ impl Polishing {
 impl Search<'_, '_, '_> {
     /// Improves the best plan, now and then, by its share of the time.
     pub(crate) fn polish(&mut self, cost: Cost, bound: u32) -> Result<(), Stop> {
-        let budget = &self.allowed.budget;
+        let budget = &self.budget;
         let (derived, given) = (budget.derived(), budget.given());
         let Some(best) = self.incumbent.costs().map(|costs| costs.get(cost)) else {
             return Ok(());
         };
-        if (derived < FIRST_DERIVED && given < FIRST_GIVEN) || best <= bound {
+        let thresholds = *budget.thresholds();
+        let early = derived < thresholds.polish_after && given < thresholds.polish_after_given;
+        if early || best <= bound {
             return Ok(());
         }
         let plain = self.problem.tasks.iter().all(Task::is_plain);
@@ -77,7 +71,7 @@ impl Search<'_, '_, '_> {
         let share = news.saturating_mul(STATES_PER_CLAUSE / dear);
         polishing.left = polishing.left.saturating_add(share);
         let takes_turn = is_wide && !polishing.is_slow;
-        if !takes_turn && polishing.left < LEAST_STATES / dear {
+        if !takes_turn && polishing.left < thresholds.polish_states / dear {
             return Ok(());
         }
         let mut states = std::mem::take(&mut polishing.left);
@@ -100,8 +94,8 @@ impl Search<'_, '_, '_> {
     }
 
     /// Whether the best plan has not become better of late, though that was tried.
-    pub(crate) const fn is_polished(&self) -> bool {
-        self.polishing.in_vain >= IN_VAIN
+    pub(crate) fn is_polished(&self) -> bool {
+        self.polishing.in_vain >= self.budget.thresholds().polished_after
     }
 
     /// Improves a plan, which is told to be found by somebody, by so many states, about, as long as its cost is above the
@@ -117,16 +111,13 @@ impl Search<'_, '_, '_> {
         let is_first = objective.costs().first() == Some(&cost);
         let effort = Effort {
             states,
-            horizon: self.allowed.deadlines.last_cap(),
+            horizon: self.deadlines.last_cap(),
             enough: if is_first { bound } else { 0 },
         };
-        let improved = self.polishing.lns.improve(
-            self.problem,
-            &mut walks,
-            effort,
-            &objective,
-            &self.allowed.budget,
-        );
+        let improved =
+            self.polishing
+                .lns
+                .improve(self.problem, &mut walks, effort, &objective, &self.budget);
         self.incumbent.offer(self.problem, &walks, by);
         improved
     }

@@ -13,47 +13,42 @@ use crate::{
 };
 
 impl Search<'_, '_, '_> {
-    /// Of which plans it is so what was just refuted, where these agents are named.
+    /// The plans that the last refutation is about, if its core names these agents.
     pub(in crate::search) fn condition(&self, named: &BTreeSet<AgentId>) -> Condition {
-        let given = self.stages.done.clone();
-        let worse = self.stages.worse;
-        let at_most = worse.at_most.filter(|_| worse.in_force);
+        let given = self.claim.optima().clone();
+        let at_most = self.claim.excluded_above();
         // The makespan is a limit of each agent; a sum is one of all of them.
         let is_shared = at_most.is_some() || given.keys().any(|&cost| cost != Cost::Makespan);
         let others = is_shared || self.team.insiders().iter().any(|a| !named.contains(a));
         Condition {
             given,
             at_most,
-            within: self.allowed.deadlines.horizon_in_force(),
+            within: self.deadlines.horizon_in_force(),
             others,
         }
     }
 
     /// The search for the least of a cost begins: with what each agent needs alone.
     pub(in crate::search) fn tell_phase(&mut self, cost: Cost) -> Result<(), Stop> {
-        if !self.allowed.budget.is_traced() {
+        if !self.budget.is_traced() {
             return Ok(());
         }
-        if !self.stages.done.is_empty() {
-            let given = self.stages.done.clone();
-            let budget = &self.allowed.budget;
+        if !self.claim.optima().is_empty() {
+            let given = self.claim.optima().clone();
+            let budget = &self.budget;
             budget.record(|_| SearchEvent::Phase { cost, given });
         }
         let mut least = Vec::new();
         for agent in 0..self.problem.agents() {
-            least.push(match cost {
-                Cost::Makespan => self.problem.optima[agent],
-                Cost::SumOfCosts => self.problem.least_cost(agent),
-                _ => self.team.least(agent, cost)?,
-            });
+            least.push(self.team.least(agent, cost)?);
         }
-        self.allowed.budget.record_alone(cost, &least);
+        self.budget.record_alone(cost, &least);
         Ok(())
     }
 
     /// All that earlier cores set free is bounded again.
     pub(in crate::search) fn tell_round(&self, cost: Cost) {
-        let budget = &self.allowed.budget;
+        let budget = &self.budget;
         budget.record(|_| SearchEvent::Round { cost });
     }
 
@@ -66,7 +61,7 @@ impl Search<'_, '_, '_> {
         if entered.is_empty() {
             return;
         }
-        self.allowed.budget.record(|names| SearchEvent::Entered {
+        self.budget.record(|names| SearchEvent::Entered {
             agents: entered
                 .iter()
                 .map(|&agent| Entrant {
@@ -79,12 +74,12 @@ impl Search<'_, '_, '_> {
 
     /// The agents of a core cannot all arrive by a time.
     pub(in crate::search) fn tell_too_late(&self, core: &AssumptionCore, by: u32) {
-        if !self.allowed.budget.is_traced() {
+        if !self.budget.is_traced() {
             return;
         }
         let condition = self.condition(&core.agents().iter().copied().collect());
         let effort = core.effort();
-        self.allowed.budget.record(|names| {
+        self.budget.record(|names| {
             let limits = core.agents().iter().map(|&agent| {
                 let at_most = by.min(self.team.deadline(agent));
                 names.limit(agent, self.problem.optima[agent], at_most)
@@ -110,11 +105,11 @@ impl Search<'_, '_, '_> {
         (from, to): (u32, u32),
         effort: CoreEffort,
     ) {
-        self.allowed.budget.record(|_| SearchEvent::Closed {
+        self.budget.record(|_| SearchEvent::Closed {
             cost,
             condition: Condition {
-                given: self.stages.done.clone(),
-                within: self.allowed.deadlines.horizon_in_force(),
+                given: self.claim.optima().clone(),
+                within: self.deadlines.horizon_in_force(),
                 ..Condition::default()
             },
             from,
@@ -125,8 +120,8 @@ impl Search<'_, '_, '_> {
 
     /// The best plan has the optima of all costs so far.
     pub(in crate::search) fn tell_met(&self) {
-        self.allowed.budget.record(|_| SearchEvent::Met {
-            costs: self.stages.done.clone(),
+        self.budget.record(|_| SearchEvent::Met {
+            costs: self.claim.optima().clone(),
             within: None,
         });
     }

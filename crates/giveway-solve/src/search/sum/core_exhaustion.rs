@@ -9,18 +9,15 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::sorting;
+use giveway_model::sorting::{self, sort};
 
-use super::{PaidCore, Soft, SumStage};
+use super::{Soft, SumStage, agent_of};
 use crate::{
-    budget::Stop, encode::totalizer::totalizer, sat::Lit, search::growing::CoreEffort,
+    budget::Stop, encode::collisions::AgentId, sat::Lit, search::growing::CoreEffort,
     search::stage::Search,
 };
 
-/// Cores of more literals are not gone on with.
-const MOST_LITERALS: usize = 8;
-
-impl SumStage {
+impl SumStage<'_> {
     /// Goes on with the softs of a core, one level higher, and with the cores
     /// paid from number `first` on, which are among these softs; what is to be
     /// assumed in the end.
@@ -30,25 +27,24 @@ impl SumStage {
         mut softs: Vec<Soft>,
         first: usize,
     ) -> Result<Vec<Soft>, Stop> {
-        if !(2..=MOST_LITERALS).contains(&softs.len()) {
+        let most = search.budget.thresholds().exhausted_core;
+        if !(2..=most).contains(&softs.len()) {
             return Ok(softs);
         }
-        while !search.incumbent_meets(self.cost, self.bound) {
-            for core in self.cores.split_off(first) {
-                softs.push(self.total(search, &core));
-            }
+        while self.bound.met(search).is_none() {
+            softs.extend(self.oll.count_from(search, first)?);
             let mut assumed = BTreeMap::new();
             for &soft in &softs {
-                if let Some(lit) = self.literal(search, soft)? {
+                if let Some(lit) = self.oll.literal(search, soft)? {
                     assumed.insert(lit, soft);
                 }
             }
             // What is shared comes first, as in `in_order`.
             let mut order: Vec<Lit> = assumed.keys().copied().collect();
             sorting::sort_by_key(&mut order, |lit| {
-                assumed.get(lit).is_some_and(|s| s.agent().is_some())
+                assumed.get(lit).and_then(agent_of).is_some()
             });
-            let before = search.allowed.budget.conflicts();
+            let before = search.budget.conflicts();
             let core = match search.team.refute(&order)? {
                 Some(core) if !core.is_empty() => core,
                 _ => return Ok(assumed.into_values().collect()),
@@ -56,14 +52,14 @@ impl SumStage {
             let effort = CoreEffort {
                 stated: search.team.stated(),
                 literals: core.len(),
-                conflicts: search.allowed.budget.conflicts() - before,
+                conflicts: search.budget.conflicts() - before,
             };
             let limits: Vec<Soft> = core
                 .iter()
                 .filter_map(|lit| assumed.get(lit).copied())
                 .collect();
-            self.pay(search, &core, &limits, effort);
-            let raised = assumed.into_iter().map(|(lit, soft)| {
+            self.pay(search, (&core, &core), &limits, effort);
+            let raised = assumed.into_iter().filter_map(|(lit, soft)| {
                 let by = u32::from(core.contains(&lit));
                 soft.raised(by)
             });
@@ -72,14 +68,55 @@ impl SumStage {
         Ok(softs)
     }
 
-    /// Counts the violations of a core, of which the core itself pays for one.
-    pub(super) fn total(&mut self, search: &mut Search, core: &PaidCore) -> Soft {
-        let outputs = totalizer(&core.violations, search.team.clauses());
-        self.lineage.count(core.number);
-        self.totalizers.push(outputs);
-        Soft::Total {
-            totalizer: self.totalizers.len() - 1,
-            k: 1,
+    /// Learns the cores of the same agents at higher levels, where there are
+    /// any; by how many levels. Tried only for agents that have been a core
+    /// before, and twice as far each time that it succeeds.
+    pub(super) fn stretch(&mut self, search: &mut Search, softs: &[Soft]) -> Result<u32, Stop> {
+        let most = search.budget.thresholds().stretched_core;
+        let agents: Option<Vec<AgentId>> = softs.iter().map(agent_of).collect();
+        let Some(mut agents) = agents.filter(|agents| agents.len() <= most) else {
+            return Ok(0);
+        };
+        sort(&mut agents);
+        let seen = self.seen.entry(agents).or_insert(0);
+        *seen += 1;
+        let (mut step, mut learnt) = (*seen - 1, 0);
+        while step > 0 {
+            let mut levels = Vec::new();
+            for level in learnt + 1..=learnt + step {
+                let mut core = Vec::new();
+                for soft in softs.iter().filter_map(|soft| soft.raised(level)) {
+                    core.extend(self.oll.literal(search, soft)?);
+                }
+                if core.len() < softs.len() {
+                    return Ok(learnt); // a level at its cap cannot be violated
+                }
+                levels.push(core);
+            }
+            let highest = levels.last().map_or(&[][..], Vec::as_slice);
+            let before = search.budget.conflicts();
+            let Some(shown) = search.team.refute(highest)? else {
+                return Ok(learnt);
+            };
+            let mut effort = CoreEffort {
+                stated: softs.len(),
+                literals: softs.len(),
+                conflicts: search.budget.conflicts() - before,
+            };
+            // Lower levels exclude each other all the more.
+            for (level, core) in (learnt + 1..).zip(&levels) {
+                let limits = softs.iter().filter_map(|soft| soft.raised(level));
+                self.pay(
+                    search,
+                    (core, &shown),
+                    &limits.collect::<Vec<Soft>>(),
+                    effort,
+                );
+                effort.conflicts = 0;
+            }
+            learnt += step;
+            step *= 2;
         }
+        Ok(learnt)
     }
 }

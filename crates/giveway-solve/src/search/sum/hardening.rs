@@ -7,10 +7,10 @@
 
 use giveway_model::Cost;
 
-use super::{Soft, SumStage};
+use super::{AtMost, Soft, SumStage};
 use crate::search::stage::Search;
 
-impl SumStage {
+impl SumStage<'_> {
     /// Excludes levels that only plans worse than the best one have, or, where
     /// no further cost is minimised, plans that are not better.
     pub(super) fn harden_by_gap(&mut self, search: &mut Search) {
@@ -20,37 +20,42 @@ impl SumStage {
         let Some(best) = search.best(self.cost) else {
             return;
         };
-        if self.hardened == Some((best, self.bound)) {
+        let bound = self.bound.at_least();
+        if self.hardened == Some((best, bound)) {
             return;
         }
-        self.hardened = Some((best, self.bound));
-        let gap = best.saturating_sub(self.bound);
+        self.hardened = Some((best, bound));
+        let gap = best.saturating_sub(bound);
         let slack = gap.saturating_sub(u32::from(self.last));
-        search.exclude_worse(best.saturating_sub(u32::from(self.last)));
+        search
+            .claim
+            .exclude_above(best.saturating_sub(u32::from(self.last)));
         for agent in 0..search.problem.agents() {
             if !search.team.is_inside(agent) {
                 let most = search.problem.least_cost(agent).saturating_add(slack);
                 search.lower_cap_by_best(agent, search.problem.time_of(agent, most));
             }
         }
-        for soft in self.softs.values().chain(&self.waiting) {
+        for soft in self.oll.assumed.values().chain(&self.oll.waiting) {
             match soft.raised(slack) {
                 // (A cost is no time: who was woken has cost some already.)
-                Soft::Agent(agent, most) => {
+                Some(Soft::Level(AtMost { agent, most, .. })) => {
                     search.lower_cap_by_best(agent, search.problem.time_of(agent, most));
                 }
-                Soft::Total { totalizer, k } => {
-                    if let Some(&more) = self.totalizers[totalizer].get(k) {
+                Some(Soft::Total { totalizer, k }) => {
+                    if let Some(more) = self.oll.more_than(totalizer, k) {
                         search.harden_for_better(!more);
                     }
                 }
+                None => {}
             }
         }
         // What holds for good need not be assumed.
-        let holds = |soft: &Soft| match *soft {
-            Soft::Agent(agent, most) => search.problem.time_of(agent, most) >= search.cap(agent),
-            Soft::Total { .. } => false,
-        };
-        self.softs.retain(|_, soft| !holds(soft));
+        self.oll.assumed.retain(|_, soft| {
+            let at_most = soft.level();
+            at_most.is_none_or(|AtMost { agent, most, .. }| {
+                search.problem.time_of(agent, most) < search.cap(agent)
+            })
+        });
     }
 }

@@ -4,11 +4,12 @@
 //! local search has found a plan close to the bound, all that is still assumed is
 //! counted in one sum, which has to be less than what the best plan pays above the
 //! bound. A refutation closes the gap at once; a model is a better plan, and the sum
-//! becomes smaller (model-improving search; Eén and Sörensson 2006).
+//! becomes smaller (model-improving search; Eén and Sörensson 2006). Where a further cost
+//! follows, the sum stays limited for the agents that enter later, too.
 
 use giveway_model::Cost;
 
-use super::{Soft, SumStage};
+use super::SumStage;
 use crate::{
     budget::Stop,
     encode::totalizer::capped,
@@ -19,10 +20,7 @@ use crate::{
     },
 };
 
-/// The largest gap between bound and best plan that is closed at once.
-const MOST_GAP: u32 = 3;
-
-impl SumStage {
+impl SumStage<'_> {
     /// Closes the gap, if it is small and local search finds nothing better: how
     /// the stage ends; `None` where it goes on by cores.
     pub(super) fn close(&mut self, search: &mut Search) -> Result<Option<End>, Stop> {
@@ -31,8 +29,9 @@ impl SumStage {
         }
         let gap = search
             .best(self.cost)
-            .map(|best| best.saturating_sub(self.bound));
-        if !gap.is_some_and(|gap| (1..=MOST_GAP).contains(&gap)) || !search.is_polished() {
+            .map(|best| best.saturating_sub(self.bound.at_least()));
+        let most = search.budget.thresholds().closed_gap;
+        if !gap.is_some_and(|gap| (1..=most).contains(&gap)) || !search.is_polished() {
             return Ok(None);
         }
         self.begin_phase(search)?;
@@ -40,23 +39,22 @@ impl SumStage {
         let Some(best) = search.best(self.cost) else {
             return Ok(None);
         };
-        let gap = best.saturating_sub(self.bound);
+        let gap = best.saturating_sub(self.bound.at_least());
         // Where a further cost is minimised, plans as good as the best count, too.
         let levels = gap + u32::from(!self.last);
-        let softs: Vec<Soft> = self.softs.values().copied().collect();
         let mut paid = Vec::new();
-        for soft in softs {
-            for level in 0..levels {
-                let lit = self.literal(search, soft.raised(level))?;
+        for soft in self.oll.assumed.values() {
+            for soft in (0..levels).filter_map(|level| soft.raised(level)) {
+                let lit = self.oll.literal(search, soft)?;
                 paid.extend(lit.map(|lit| !lit));
             }
         }
-        let sum = capped(&paid, levels as usize, search.team.clauses());
+        let sum = capped(&paid, levels as usize, search.team.clauses())?;
         loop {
             let Some(best) = search.best(self.cost) else {
                 return Ok(None);
             };
-            let gap = best.saturating_sub(self.bound);
+            let gap = best.saturating_sub(self.bound.at_least());
             let less = gap.checked_sub(1).and_then(|k| sum.get(k as usize));
             let assumptions: Vec<Lit> = less.map(|&lit| !lit).into_iter().collect();
             if gap == 0 {
@@ -78,13 +76,13 @@ impl SumStage {
                     self.harden_by_gap(search);
                 }
                 Growing::Core(core) => {
-                    search.tell_closed(self.cost, (self.bound, best), core.effort());
-                    if let Some(&more) = sum.get(gap as usize).filter(|_| !self.last) {
-                        search.team.harden(!more);
+                    search.tell_closed(self.cost, (self.bound.at_least(), best), core.effort());
+                    if !self.last {
+                        search.limit_above_bound(self.cost, sum, gap);
                     }
-                    self.bound = best;
-                    search.report_bound(self.cost, best);
-                    return Ok(Some(End::Least(best)));
+                    self.bound.raise_to(best, core.lits());
+                    search.report_bound(*self.bound);
+                    return self.met(search).map(Some);
                 }
             }
         }

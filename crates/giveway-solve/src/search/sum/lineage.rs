@@ -8,9 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::Cost;
-
-use super::{Soft, SumStage};
+use super::{AtMost, Oll, Soft, SumStage, agent_of};
 use crate::{
     encode::collisions::AgentId,
     search::{growing::CoreEffort, stage::Search},
@@ -33,41 +31,40 @@ pub(super) struct Lineage {
     cores: Vec<Ancestry>,
     /// The last core that had the limit of an agent.
     of_agent: BTreeMap<AgentId, usize>,
-    /// The core that a totalizer counts.
-    origins: Vec<usize>,
     /// The last core that had a totalizer.
     of_total: BTreeMap<usize, usize>,
 }
 
 impl Lineage {
-    /// The next totalizer counts the violations of a core.
-    pub(super) fn count(&mut self, core: usize) {
-        self.origins.push(core);
-    }
-
     /// The cores that a limit builds on directly.
-    fn parents(&self, limit: &Soft) -> Vec<usize> {
+    fn parents(&self, limit: &Soft, oll: &Oll<AtMost>) -> Vec<usize> {
         match limit {
-            Soft::Agent(agent, _) => self.of_agent.get(agent).copied().into_iter().collect(),
+            Soft::Level(AtMost { agent, .. }) => {
+                self.of_agent.get(agent).copied().into_iter().collect()
+            }
             Soft::Total { totalizer, .. } => {
-                let last = self.of_total.get(totalizer);
-                let both = self.origins.get(*totalizer).into_iter().chain(last);
-                both.copied().collect()
+                let last = self.of_total.get(totalizer).copied();
+                oll.core_of(*totalizer).into_iter().chain(last).collect()
             }
         }
     }
 
     /// A core of these limits is added to all that it builds on: how many cores that
     /// are, and their agents.
-    fn add(&mut self, limits: &[Soft], event: u64) -> (usize, BTreeSet<AgentId>) {
+    fn add(
+        &mut self,
+        limits: &[Soft],
+        oll: &Oll<AtMost>,
+        event: u64,
+    ) -> (usize, BTreeSet<AgentId>) {
         let number = self.cores.len();
         let mut own = Ancestry {
             event,
             cores: BTreeSet::from([number]),
-            agents: limits.iter().filter_map(Soft::agent).collect(),
+            agents: limits.iter().filter_map(agent_of).collect(),
         };
         for limit in limits {
-            for parent in self.parents(limit) {
+            for parent in self.parents(limit, oll) {
                 if let Some(parent) = self.cores.get(parent) {
                     own.cores.extend(&parent.cores);
                     own.agents.extend(&parent.agents);
@@ -76,7 +73,7 @@ impl Lineage {
         }
         for limit in limits {
             match *limit {
-                Soft::Agent(agent, _) => self.of_agent.insert(agent, number),
+                Soft::Level(AtMost { agent, .. }) => self.of_agent.insert(agent, number),
                 Soft::Total { totalizer, .. } => self.of_total.insert(totalizer, number),
             };
         }
@@ -84,42 +81,31 @@ impl Lineage {
         self.cores.push(own);
         told
     }
-
-    /// The number of the event that told of the core which a totalizer counts.
-    fn event(&self, totalizer: usize) -> Option<u64> {
-        let core = self.origins.get(totalizer)?;
-        self.cores.get(*core).map(|core| core.event)
-    }
 }
 
-impl SumStage {
+impl SumStage<'_> {
     /// Tells of a core that has just raised the bound.
     pub(super) fn tell_core(&mut self, search: &mut Search, limits: &[Soft], effort: CoreEffort) {
-        let budget = std::rc::Rc::clone(&search.allowed.budget);
+        let budget = std::rc::Rc::clone(&search.budget);
         let Some(event) = budget.next_event() else {
             return;
         };
-        let (paid, all) = self.lineage.add(limits, event);
-        let least = |agent: AgentId| match self.cost {
-            Cost::SumOfCosts => search.problem.least_cost(agent),
-            cost => search.team.known_least(agent, cost),
-        };
+        let (paid, all) = self.lineage.add(limits, &self.oll, event);
+        let least = |agent: AgentId| search.team.known_least(agent, self.cost);
         let sums: Vec<EarlierCore> = limits
             .iter()
             .filter_map(|limit| match *limit {
-                Soft::Agent(..) => None,
+                Soft::Level(_) => None,
                 Soft::Total { totalizer, k } => Some(EarlierCore {
-                    event: self.lineage.event(totalizer)?,
+                    event: self.lineage.cores.get(self.oll.core_of(totalizer)?)?.event,
                     at_most: k as u32,
                 }),
             })
             .collect();
         let own: BTreeMap<AgentId, u32> = limits
             .iter()
-            .filter_map(|limit| match *limit {
-                Soft::Agent(agent, most) => Some((agent, most)),
-                Soft::Total { .. } => None,
-            })
+            .filter_map(|limit| limit.level())
+            .map(|AtMost { agent, most, .. }| (agent, most))
             .collect();
         let named: BTreeSet<AgentId> = if sums.is_empty() {
             own.keys().copied().collect()
@@ -127,7 +113,7 @@ impl SumStage {
             all.clone()
         };
         let condition = search.condition(&named);
-        let to = self.bound;
+        let to = self.bound.at_least();
         budget.record(|names| {
             let limits = own.iter();
             SearchEvent::Core(Core {

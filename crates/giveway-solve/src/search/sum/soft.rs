@@ -1,33 +1,55 @@
-//! The soft constraints of a stage, each an assumption.
+//! The cost of an agent as something that a core raises.
 
-use crate::encode::collisions::AgentId;
+use giveway_model::Cost;
 
-/// What an assumption bounds.
+use crate::{
+    budget::Stop,
+    encode::collisions::AgentId,
+    sat::{Lit, Sat},
+    search::{
+        oll::{self, Formula, Kept, Level},
+        stage::Search,
+    },
+};
+
+/// What is assumed in a stage.
+pub(super) type Soft = oll::Soft<AtMost>;
+
+/// An agent has at most this of a cost.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Soft {
-    /// The cost of an agent is at most this.
-    Agent(AgentId, u32),
-    /// At most `k` inputs of a totalizer are true.
-    Total { totalizer: usize, k: usize },
+pub(super) struct AtMost {
+    pub(super) agent: AgentId,
+    pub(super) cost: Cost,
+    pub(super) most: u32,
 }
 
-impl Soft {
-    /// The same at a higher level.
-    pub(super) const fn raised(self, by: u32) -> Self {
-        match self {
-            Self::Agent(agent, most) => Self::Agent(agent, most + by),
-            Self::Total { totalizer, k } => Self::Total {
-                totalizer,
-                k: k + by as usize,
-            },
-        }
+impl Level for AtMost {
+    fn raised(self, by: u32) -> Option<Self> {
+        let most = self.most.checked_add(by)?;
+        Some(Self { most, ..self })
     }
+}
 
-    /// The agent that it bounds, if it is one alone.
-    pub(super) const fn agent(&self) -> Option<AgentId> {
-        match self {
-            Self::Agent(agent, _) => Some(*agent),
-            Self::Total { .. } => None,
+impl<'h> Formula for Search<'_, 'h, '_> {
+    type Out = Sat<'h>;
+
+    fn clauses(&mut self) -> &mut Sat<'h> {
+        self.team.clauses()
+    }
+}
+
+impl Kept<Search<'_, '_, '_>> for AtMost {
+    fn literal(self, search: &mut Search) -> Result<Option<Lit>, Stop> {
+        let Self { agent, cost, most } = self;
+        if cost != Cost::SumOfCosts {
+            let more = search.team.more_than(agent, cost, most)?;
+            return Ok(more.map(|lit| !lit));
         }
+        let time = search.problem.time_of(agent, most);
+        search.grow(agent, time)?;
+        if time >= search.cap(agent) {
+            return Ok(None);
+        }
+        Ok(search.team.by(agent, time))
     }
 }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cost;
 
-use super::{Soft, SumStage};
+use super::{SumStage, agent_of};
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
@@ -18,9 +18,6 @@ use crate::{
     trace::FoundBy,
 };
 
-/// Clauses derived before the first such plan is made: what is proved sooner
-/// needs none.
-const FIRST_GUESS: u64 = 300;
 /// States to look at for one agent.
 const EXPANSION_LIMIT: u32 = 20_000;
 /// States of single agents that are looked at each time, about.
@@ -28,10 +25,11 @@ const STATES: u64 = 10_000;
 /// Times that a plan is improved, as long as it becomes better.
 const MOST_IMPROVEMENTS: usize = 20;
 
-impl SumStage {
+impl SumStage<'_> {
     /// Makes a plan of the last model, if agents find a way around the others.
     pub(super) fn improve_upper_bound(&self, search: &mut Search) -> Result<(), Stop> {
-        let early = search.allowed.budget.derived() < FIRST_GUESS;
+        let budget = &search.budget;
+        let early = budget.derived() < budget.thresholds().upper_bound_after;
         if early || self.known || self.cost != Cost::SumOfCosts {
             return Ok(());
         }
@@ -39,7 +37,7 @@ impl SumStage {
         let problem = search.problem;
         let mut walks = search.team.walks.clone();
         let mut others = Reservations::of(problem, &walks);
-        let mut free: BTreeSet<AgentId> = self.waiting.iter().filter_map(Soft::agent).collect();
+        let mut free: BTreeSet<AgentId> = self.oll.waiting.iter().filter_map(agent_of).collect();
         for &agent in &free {
             others.remove(agent, &walks[agent]);
         }
@@ -56,7 +54,7 @@ impl SumStage {
                 conflict_penalty: None,
                 expansion_limit: EXPANSION_LIMIT,
             };
-            let Some((walk, _)) = plan_one(problem, &others, query, &search.allowed.budget)? else {
+            let Some((walk, _)) = plan_one(problem, &others, query, &search.budget)? else {
                 return Ok(());
             };
             walks[agent] = walk;
@@ -67,7 +65,7 @@ impl SumStage {
         }
         for _ in 0..MOST_IMPROVEMENTS {
             let given = (walks, FoundBy::PartlySolver);
-            if !search.improve(given, self.cost, self.bound, STATES)? {
+            if !search.improve(given, self.cost, self.bound.at_least(), STATES)? {
                 break;
             }
             walks = search

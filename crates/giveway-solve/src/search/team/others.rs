@@ -3,15 +3,42 @@
 
 use super::Team;
 use crate::{
-    counterfactual::Precedence,
     encode::{agent::Added, collisions::AgentId},
+    impose::Precedence,
     sat::{Clauses, Lit},
     single::NodeId,
 };
 
 impl Team<'_, '_> {
-    /// Makes what an agent may do known to all others.
+    /// Makes what an agent may do known to all others. Where it reaches later times,
+    /// agents that rest anywhere rest there, too.
     pub(super) fn absorb(&mut self, agent: AgentId, added: &Added) {
+        self.exclude(agent, added);
+        let latest = added.positions.iter().map(|&(time, ..)| time).max();
+        self.reach(latest.unwrap_or(0));
+    }
+
+    /// Lets agents that rest anywhere rest up to a time.
+    pub(crate) fn reach(&mut self, until: u32) {
+        if until <= self.reach {
+            return;
+        }
+        self.reach = until;
+        for agent in 0..self.inside.len() {
+            let Some(code) = &mut self.inside[agent] else {
+                continue;
+            };
+            if code.rests_anywhere() {
+                let old = code.mdd().size();
+                let task = &self.problem.tasks[agent];
+                let added = code.reach(until, task, &mut self.sat);
+                self.exclude(agent, &added);
+                self.precede(agent, old, &added);
+            }
+        }
+    }
+
+    fn exclude(&mut self, agent: AgentId, added: &Added) {
         for &(time, v, lit) in &added.positions {
             self.collisions.occupy(time, v, agent, lit, &mut self.sat);
             if !self.problem.stays {
@@ -32,40 +59,52 @@ impl Team<'_, '_> {
         }
     }
 
-    /// Who has to be somewhere first is in its way until it has been there.
+    /// The second agent of a precedence is not at its vertex before the first was at its
+    /// own.
     pub(super) fn precede(&mut self, agent: AgentId, old: NodeId, added: &Added) {
-        let Some(Precedence { first, second, at }) = self.problem.precedence else {
-            return;
-        };
-        if agent == second {
-            for &(time, v, lit) in &added.positions {
-                if v == at {
-                    let not_yet = self.not_yet(time);
-                    self.sat.clause(&[!lit, !not_yet]);
+        let problem = self.problem;
+        for (number, &Precedence { first, second }) in problem.precedences.iter().enumerate() {
+            if agent == second.0 {
+                // Where they cannot be there at once, "by then" is "before".
+                let at_once = first.1 != second.1 || !problem.collide(first.0, second.0);
+                for &(time, v, lit) in &added.positions {
+                    if v != second.1 {
+                        continue;
+                    }
+                    match time.checked_sub(u32::from(at_once)) {
+                        None => self.sat.clause(&[!lit]),
+                        Some(time) => {
+                            let not_yet = self.not_yet(number, time);
+                            self.sat.clause(&[!lit, !not_yet]);
+                        }
+                    }
                 }
             }
-        }
-        if agent == first {
-            let visited = self.problem.tasks[first].bit(at);
-            let Some(code) = self.inside[first].as_ref() else {
-                return;
-            };
-            let mdd = code.mdd();
-            let nodes: Vec<(u32, Lit)> = (old..mdd.size())
-                .filter(|&id| mdd.node(id).mask & visited == 0)
-                .map(|id| (mdd.node(id).time, code.node(id)))
-                .collect();
-            for (time, node) in nodes {
-                let not_yet = self.not_yet(time);
-                self.sat.clause(&[!node, not_yet]);
+            if agent == first.0 {
+                let visited = problem.tasks[agent].bit(first.1);
+                let Some(code) = self.inside[agent].as_ref() else {
+                    continue;
+                };
+                let mdd = code.mdd();
+                let nodes: Vec<(u32, Lit)> = (old..mdd.size())
+                    .filter(|&id| mdd.node(id).mask & visited == 0)
+                    .map(|id| (mdd.node(id).time, code.node(id)))
+                    .collect();
+                for (time, node) in nodes {
+                    let not_yet = self.not_yet(number, time);
+                    self.sat.clause(&[!node, not_yet]);
+                }
             }
         }
     }
 
-    /// The literal "who has to be there first has not been there by a time".
-    fn not_yet(&mut self, time: u32) -> Lit {
+    /// The literal "the first agent of this precedence has not been there by a time".
+    fn not_yet(&mut self, number: usize, time: u32) -> Lit {
         let sat = &mut self.sat;
-        *self.not_yet.entry(time).or_insert_with(|| sat.fresh())
+        *self
+            .not_yet
+            .entry((number, time))
+            .or_insert_with(|| sat.fresh())
     }
 
     /// Somebody on the owner's goal at a time: the owner arrives later.

@@ -1,0 +1,237 @@
+//! What becomes of a claim where the scene takes something for granted.
+//!
+//! Leaving out an obstacle that moves gives a relaxation: bounds and impossibility hold with
+//! the obstacle, too; a plan does where the judge, who heeds the obstacle, passes it. The
+//! same holds for a rule that is left out, but no judge heeds it: a plan that is found may
+//! break it. A bound of a later cost speaks of the plans that reach the bounds before it; it
+//! is kept where a legal plan is known to reach them, which of a rule that is left out nobody
+//! knows. A key of unknown meaning may change anything,
+//! so nothing is called proved, and no bound is kept. Goals that were chosen are part of the question,
+//! as every answer says; that there is no plan for them says nothing of other goals.
+
+use giveway_model::{
+    Assumption, Costs, Fault, Instance, Objective, Plan, Scene, assumption, check::check, tr,
+};
+
+use crate::{Ended, FrontAnswer, Refusal, SolveAnswer, Status};
+
+/// Whether a scene has an obstacle that moves.
+fn has_moving(assumptions: &[Assumption]) -> bool {
+    let mut all = assumptions.iter();
+    all.any(|one| matches!(one, Assumption::MovingObstacle { .. }))
+}
+
+/// Whether a rule of the problem is left out.
+fn has_left_out(assumptions: &[Assumption]) -> bool {
+    let mut all = assumptions.iter();
+    all.any(|one| matches!(one, Assumption::RuleLeftOut { .. }))
+}
+
+/// Keeps the bounds of a relaxation that are bounds of the problem: that of the first cost, and
+/// that of each later one where a legal plan with these costs reaches all before it.
+fn keep_reached(objective: &Objective, legal: Option<&Costs>, answer: &mut SolveAnswer) {
+    let mut is_reached = true;
+    for &cost in objective.costs() {
+        if !is_reached {
+            answer.bounds.remove(&cost);
+        }
+        let bound = answer.bounds.get(&cost).copied();
+        is_reached &= bound.is_some() && legal.map(|legal| legal.get(cost)) == bound;
+    }
+}
+
+/// Whether goals were chosen of those that a file leaves open.
+fn has_chosen(assumptions: &[Assumption]) -> bool {
+    assumptions.contains(&Assumption::GoalsChosen)
+}
+
+/// Whether a scene has a key that may change anything.
+fn has_unknown(assumptions: &[Assumption]) -> bool {
+    let mut all = assumptions.iter();
+    all.any(|one| matches!(one, Assumption::UnknownKey { .. }))
+}
+
+/// Refuses what makes claims about all plans of a scene with moving obstacles.
+///
+/// # Errors
+/// When the scene has one.
+pub(crate) fn refuse_moving(scene: &Scene) -> Result<(), Refusal> {
+    if !has_moving(&scene.assumptions) {
+        return Ok(());
+    }
+    let found = tr!("obstacles that move, which only solve, audit and check heed");
+    let expected = tr!("a scene without them");
+    let faults = vec![Fault::at("assumptions", found, expected)];
+    Err(Refusal::Scene { faults })
+}
+
+/// Refuses what compares all best plans of a scene with agents that have no goal.
+///
+/// # Errors
+/// When an agent has none.
+pub(crate) fn refuse_goalless(scene: &Scene) -> Result<(), Refusal> {
+    let goalless = scene.agents.iter().position(|agent| agent.goal.is_none());
+    let Some(agent) = goalless else { return Ok(()) };
+    let found = tr!("a robot that may rest anywhere");
+    let expected = tr!("a goal for each robot: best plans are compared by how robots reach them");
+    let faults = vec![Fault::at(format!("agents[{agent}].goal"), found, expected)];
+    Err(Refusal::Scene { faults })
+}
+
+/// The costs of a plan that the judge passes with all that the scene assumes; else what is
+/// wrong with it first.
+fn judged(instance: &Instance, plan: &Plan) -> Result<Option<Costs>, String> {
+    let report = check(instance, plan);
+    match report.violations.into_iter().next() {
+        None => Ok(report.costs),
+        Some(violation) => Err(violation.message),
+    }
+}
+
+/// Weakens the answer of a search that left out what the instance assumes. `start` is a
+/// plan that was known before.
+pub(crate) fn weaken(
+    (instance, objective): (&Instance, &Objective),
+    start: Option<&Plan>,
+    answer: &mut SolveAnswer,
+) {
+    let assumptions = instance.assumptions();
+    if has_moving(assumptions)
+        && let Some(Err(meeting)) = answer.plan.as_ref().map(|plan| judged(instance, plan))
+    {
+        let legal = legal_start(instance, start);
+        keep_reached(objective, legal.as_ref().map(|(_, costs)| costs), answer);
+        let reason = if let Some((start, costs)) = legal {
+            (answer.plan, answer.costs) = (Some(start.clone()), Some(costs));
+            answer.status = Status::Feasible;
+            tr!("Plans that cost less were found only without the obstacles that move.").to_owned()
+        } else {
+            (answer.plan, answer.costs) = (None, None);
+            answer.status = Status::Unknown;
+            tr!(
+                "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more.",
+                meeting
+            )
+        };
+        end(answer, reason);
+    }
+    if has_left_out(assumptions) && answer.plan.is_some() {
+        keep_reached(objective, None, answer);
+        answer.status = Status::Feasible;
+        end(answer, tr!("Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too.").to_owned());
+    }
+    if has_chosen(assumptions) && answer.status == Status::Impossible {
+        answer.status = Status::Unknown;
+        end(answer, other_goals());
+    }
+    if has_unknown(assumptions) {
+        claim_nothing(instance, answer);
+    }
+}
+
+/// A plan that was known before, with its costs, where the judge passes it.
+fn legal_start<'a>(instance: &Instance, start: Option<&'a Plan>) -> Option<(&'a Plan, Costs)> {
+    start.and_then(|start| Some((start, judged(instance, start).ok()??)))
+}
+
+/// That other goals may have a plan.
+fn other_goals() -> String {
+    tr!("There is no plan for the goals that were chosen here. Another choice that the file allows may have one.").to_owned()
+}
+
+/// Weakens a search that is compared with a plan of these costs: a plan that the judge does
+/// not pass is no better one.
+pub(crate) fn weaken_beside(
+    instance: &Instance,
+    (own, objective): (Option<&Costs>, &Objective),
+    answer: &mut SolveAnswer,
+) {
+    let is_better =
+        |found: &Costs| own.is_none_or(|own| found.vector(objective) < own.vector(objective));
+    if has_moving(instance.assumptions())
+        && answer.costs.as_ref().is_some_and(is_better)
+        && answer
+            .plan
+            .as_ref()
+            .is_some_and(|plan| judged(instance, plan).is_err())
+    {
+        (answer.plan, answer.costs) = (None, None);
+        answer.status = Status::Unknown;
+        keep_reached(objective, own, answer);
+        let reason = tr!(
+            "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
+        );
+        end(answer, reason.to_owned());
+    }
+    if has_left_out(instance.assumptions()) && answer.costs.as_ref().is_some_and(is_better) {
+        (answer.plan, answer.costs) = (None, None);
+        answer.status = Status::Unknown;
+        keep_reached(objective, None, answer);
+        let reason = tr!(
+            "Rules of the file's problem are left out of the search, so it is open whether a plan that keeps them costs as little as the bound."
+        );
+        end(answer, reason.to_owned());
+    }
+    if has_chosen(instance.assumptions()) && own.is_none() {
+        (answer.plan, answer.costs, answer.status) = (None, None, Status::Unknown);
+        answer.bounds.clear();
+        let reason =
+            tr!("The file leaves goals open: what a legal plan costs depends on which are chosen.");
+        end(answer, reason.to_owned());
+    }
+    if has_unknown(instance.assumptions()) {
+        claim_nothing(instance, answer);
+    }
+}
+
+/// Weakens a front. A bound of a point speaks of plans that keep to the limits of that point,
+/// so that where a rule is left out nothing of it is kept.
+pub(crate) fn weaken_front(
+    (instance, objective): (&Instance, &Objective),
+    answer: &mut FrontAnswer,
+) {
+    let assumptions = instance.assumptions();
+    let has_left_out = has_left_out(assumptions) && !answer.front.is_empty();
+    let has_other_goals = has_chosen(assumptions) && answer.status == Status::Impossible;
+    if has_unknown(assumptions) || has_left_out || has_other_goals {
+        answer.status = weaker(answer.status);
+        answer.ended = Some(Ended::Assumptions);
+        (answer.complete, answer.within) = (false, None);
+        for point in &mut answer.front {
+            weaken((instance, objective), None, point);
+            if has_left_out {
+                point.bounds.clear();
+            }
+        }
+    }
+}
+
+/// What remains of a proof.
+const fn weaker(status: Status) -> Status {
+    match status {
+        Status::Optimal | Status::Feasible => Status::Feasible,
+        Status::Impossible | Status::Unknown => Status::Unknown,
+    }
+}
+
+/// The claim is gone; bounds that are left hold within the makespan that the answer names.
+fn end(answer: &mut SolveAnswer, reason: String) {
+    answer.ended = Some(Ended::Assumptions);
+    answer.reason = Some(reason);
+    answer.complete = false;
+}
+
+/// Leaves the plan alone of an answer, where a key of unknown meaning may change anything.
+fn claim_nothing(instance: &Instance, answer: &mut SolveAnswer) {
+    answer.status = weaker(answer.status);
+    answer.bounds.clear();
+    answer.within = None;
+    end(answer, unknown(instance));
+}
+
+/// Which keys may change anything, a sentence.
+fn unknown(instance: &Instance) -> String {
+    let mut keys = instance.assumptions().to_vec();
+    keys.retain(|one| matches!(one, Assumption::UnknownKey { .. }));
+    assumption::sentences(&keys).join(" ")
+}

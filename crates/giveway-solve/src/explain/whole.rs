@@ -1,0 +1,200 @@
+//! Answers about the rest of a plan as answers about the whole plan.
+//!
+//! After a change the search looks at a [`Snapshot`], whose times begin at 0. People
+//! read times and costs of the whole plan, and other plans with the past before them.
+
+use giveway_model::{
+    Cost, Costs, Instance, Plan, Question,
+    check::{self, Rule, Violation, check},
+    question::{Misfit, fits},
+    snapshot::Snapshot,
+    tr,
+};
+
+use super::{Edit, ExplainAnswer, Repair, Verdict, changed::shifted, words};
+
+/// The plan of which an instance is the rest, with the question as it was asked; without
+/// a change of the world there is none.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Whole<'a> {
+    pub(super) running: Option<(&'a Snapshot<'a>, &'a Question)>,
+}
+
+impl Whole<'_> {
+    fn since(self) -> u32 {
+        self.running.map_or(0, |(snapshot, _)| snapshot.at)
+    }
+
+    /// A time of the rest as one of the whole.
+    pub(crate) fn time(self, time: u32) -> u32 {
+        time.saturating_add(self.since())
+    }
+
+    /// The costs of the whole, where those of the rest are these.
+    pub(crate) fn costs(self, costs: Costs, plan: &Plan) -> Costs {
+        let whole = |(snapshot, _): (&Snapshot<'_>, _)| snapshot.whole_costs(costs, plan);
+        self.running.map_or(costs, whole)
+    }
+
+    /// The costs of the whole with a plan of the rest.
+    pub(crate) fn costs_of(self, instance: &Instance, plan: &Plan) -> Option<Costs> {
+        Some(self.costs(check::costs(instance, plan)?, plan))
+    }
+
+    /// The rules that a plan of the rest breaks, in times of the whole. Of the
+    /// moves of an agent during its breakdown only the first is listed: the others
+    /// follow from it.
+    pub(crate) fn check(self, instance: &Instance, plan: &Plan) -> Vec<Violation> {
+        let Some((snapshot, _)) = self.running else {
+            return check(instance, plan).violations;
+        };
+        let mut violations = snapshot.check(plan).violations;
+        let mut moved = Vec::new();
+        violations.retain(|violation| {
+            let agent = violation.agents.first();
+            let held = agent.map_or(0, |agent| instance.start_state(agent).not_before());
+            let is_held = violation.rule == Rule::Move && violation.time < self.time(held);
+            let first = !is_held || !moved.contains(&agent.cloned());
+            moved.extend(is_held.then(|| agent.cloned()));
+            first
+        });
+        violations
+    }
+
+    /// A question about the rest in times of the whole.
+    pub(crate) fn question(self, question: &Question) -> Question {
+        shifted(question, |time| self.time(time))
+    }
+
+    /// Why a question does not fit, in times of the whole.
+    pub(crate) fn misfit(
+        self,
+        question: &Question,
+        instance: &Instance,
+        plan: &Plan,
+        misfit: Misfit,
+    ) -> Misfit {
+        if self.running.is_none() {
+            return misfit;
+        }
+        let since = self.since();
+        let about = |what: &str| Misfit::NotSo {
+            is_so: tr!(
+                "{what} already at its goal at time {since}, and the past cannot change.",
+                what,
+                since
+            ),
+            ask: None,
+        };
+        let misfit = match (question, misfit) {
+            (Question::Arrival { agent }, Misfit::NotSo { ask: None, .. }) => {
+                return about(&tr!("{agent} was", agent));
+            }
+            (Question::Makespan | Question::SumOfCosts, Misfit::NotSo { ask: None, .. }) => {
+                return about(tr!("Every robot was"));
+            }
+            (_, misfit @ Misfit::Fault { .. }) => misfit,
+            (_, misfit) => {
+                // The same plan with nothing listed in the past.
+                let mut plan = plan.clone();
+                for path in plan.paths.values_mut() {
+                    path.splice(0..0, (0..since).map(|_| None));
+                }
+                for time in plan.charges.values_mut().flatten() {
+                    *time += since;
+                }
+                let fits = fits(&self.question(question), instance, &plan);
+                fits.err().unwrap_or(misfit)
+            }
+        };
+        match misfit {
+            Misfit::NotSo { is_so, ask } => Misfit::NotSo {
+                is_so: tr!("From time {since} on: {is_so}", since, is_so),
+                ask,
+            },
+            fault @ Misfit::Fault { .. } => fault,
+        }
+    }
+
+    /// The answer in times, costs and plans of the whole; `asked` are the costs of the
+    /// plan that is asked about.
+    pub(crate) fn answer(self, mut answer: ExplainAnswer, asked: Option<Costs>) -> ExplainAnswer {
+        let Some((snapshot, question)) = self.running else {
+            return answer;
+        };
+        answer.since = Some(snapshot.at);
+        answer.question = question.clone();
+        answer.within = answer.within.map(|within| self.time(within));
+        if let Some(core) = &mut answer.core {
+            core.within = core.within.map(|within| self.time(within));
+            for further in &mut core.further {
+                further.within = further.within.map(|within| self.time(within));
+            }
+        }
+        answer.repairs = self.repairs(&answer.repairs);
+        if let Some(rest) = answer.alternative.take() {
+            let costs = answer.costs.map(|costs| self.costs(costs, &rest));
+            let report = snapshot.check(&rest);
+            if !report.is_valid() || report.costs != costs {
+                return without_other(answer);
+            }
+            (answer.alternative, answer.costs) = (Some(snapshot.whole(&rest)), costs);
+        } else if let Some(costs) = answer.costs {
+            // Those of the plan asked about.
+            answer.costs = asked.or(Some(costs));
+        }
+        if let (Some(costs), Some(asked)) = (answer.costs, asked)
+            && let Some(delta) = answer.deltas.get_mut(&Cost::Makespan)
+        {
+            *delta = i64::from(costs.makespan) - i64::from(asked.makespan);
+        }
+        if !answer.words.is_empty() {
+            answer.words = tr!(
+                "This is about the plan from time {since} on. {answer}",
+                since = snapshot.at,
+                answer = answer.words
+            );
+        }
+        answer
+    }
+
+    /// Repairs as those of the whole.
+    pub(crate) fn repairs(self, repairs: &[Repair]) -> Vec<Repair> {
+        let Some((snapshot, _)) = self.running else {
+            return repairs.to_vec();
+        };
+        let whole = |repair: &Repair| {
+            let mut edits = repair.edits.clone();
+            for edit in &mut edits {
+                if let Edit::Deadline { within } = edit {
+                    *within = self.time(*within);
+                }
+            }
+            let costs = self.costs(repair.costs, &repair.plan);
+            Repair {
+                text: words::repair(&edits, repair.least, &costs),
+                edits,
+                least: repair.least,
+                costs,
+                plan: snapshot.whole(&repair.plan),
+            }
+        };
+        repairs.iter().map(whole).collect()
+    }
+}
+
+/// The answer where the other plan is none behind the past: never trust the
+/// search.
+fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
+    answer.verdict = Verdict::Unknown;
+    (answer.costs, answer.complete, answer.within) = (None, false, None);
+    answer.deltas.clear();
+    answer.witness.clear();
+    answer.core = None;
+    answer.repairs.clear();
+    answer.further_repairs = 0;
+    answer.exhaustive = false;
+    tr!("The plan that was found does not fit what happened before, so nothing is claimed.")
+        .clone_into(&mut answer.words);
+    answer
+}

@@ -1,0 +1,77 @@
+//! A proved lower bound of a cost, and the optimum that it becomes.
+
+use giveway_model::Cost;
+
+use super::{for_ever::Known, minima::LoneBound, stage::Search};
+use crate::sat::Core;
+
+/// No plan with the optima of all costs before it has less of a cost. It begins with what
+/// agents need alone, and only unsatisfiable cores raise it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bound {
+    cost: Cost,
+    at_least: u32,
+}
+
+/// The least value of a cost: its bound, which a plan meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Optimum {
+    cost: Cost,
+    least: u32,
+}
+
+impl Bound {
+    /// What agents need alone.
+    pub(super) const fn new(cost: Cost, alone: LoneBound) -> Self {
+        Self {
+            cost,
+            at_least: alone.at_least(),
+        }
+    }
+
+    /// What is known of its cost in another way.
+    pub(super) fn take_known(&mut self, known: Known) {
+        self.at_least = self.at_least.max(known.least);
+    }
+
+    /// The cost.
+    pub(super) const fn cost(self) -> Cost {
+        self.cost
+    }
+
+    /// The least that a plan can have.
+    pub(super) const fn at_least(self) -> u32 {
+        self.at_least
+    }
+
+    /// No plan meets the bound, as a core shows.
+    pub(super) const fn raise(&mut self, _: &Core) {
+        self.at_least += 1;
+    }
+
+    /// No plan has less than this, as a core shows.
+    pub(super) fn raise_to(&mut self, at_least: u32, _: &Core) {
+        self.at_least = self.at_least.max(at_least);
+    }
+
+    /// The optimum, where the best plan meets the bound.
+    pub(super) fn met(self, search: &Search) -> Option<Optimum> {
+        let is_met = search.incumbent_meets(self.cost, self.at_least);
+        is_met.then_some(Optimum {
+            cost: self.cost,
+            least: self.at_least,
+        })
+    }
+}
+
+impl Optimum {
+    /// The cost.
+    pub(super) const fn cost(self) -> Cost {
+        self.cost
+    }
+
+    /// Its value.
+    pub(super) const fn least(self) -> u32 {
+        self.least
+    }
+}
