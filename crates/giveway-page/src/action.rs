@@ -50,7 +50,7 @@ pub enum Action {
     Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
-    /// What must be so is laid over the plan.
+    /// What all best plans share is laid over the plan.
     Freedom(FreedomAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
@@ -79,6 +79,8 @@ pub enum FileAction {
     Resume(Box<Moment>),
     /// Something could not be done; the document stays.
     Refuse(Notice),
+    /// Tells why a link is not opened.
+    RefuseLink(Notice),
 }
 
 /// Other people's files come in and go out, by way of the reader.
@@ -111,8 +113,10 @@ pub enum IntakeAction {
     Crash {
         /// The number of the job.
         job: u64,
-        /// Why, as a sentence.
-        sentence: String,
+        /// Whether it had started; else it did not even do that.
+        had_started: bool,
+        /// Why, and what can be done, each a sentence.
+        details: Vec<String>,
     },
     /// Something is to be written in another format.
     Save(Save),

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::change::{Changes, Trajectory};
 use giveway_model::{Agent, Fault, Plan, check};
 use giveway_solve::plan::Planner;
-use giveway_solve::{SolveAnswer, SolveRequest};
+use giveway_solve::{Ended, SolveAnswer, SolveRequest, Status};
 
 use crate::Draft;
 use crate::course::{Adopted, Course, World};
@@ -116,6 +116,14 @@ impl Answer {
         timelines.get(agent)?.until
     }
 
+    /// The breakdowns of an agent: it begins no move from the first of each two times up to,
+    /// not including, the second.
+    pub fn breakdowns(&self, agent: usize) -> &[(u32, u32)] {
+        let course = self.course.as_deref();
+        let timeline = course.and_then(|course| course.history.timelines().get(agent));
+        timeline.map_or(&[][..], |timeline| &timeline.held)
+    }
+
     /// The last time at which the world changed.
     pub fn changed_last(&self) -> Option<u32> {
         self.course.as_deref()?.history.times().last()
@@ -124,6 +132,15 @@ impl Answer {
     /// The plan, where there is one.
     pub const fn plan(&self) -> Option<&Plan> {
         self.solved.plan.as_ref()
+    }
+
+    /// Whether a search for the best plan said what is claimed here. It did not say that of a
+    /// plan from elsewhere, of another plan that a person took, or where a proof showed that
+    /// another plan is better.
+    pub fn is_searched(&self) -> bool {
+        let solved = &self.solved;
+        let was_stopped = solved.ended.is_some_and(|ended| ended != Ended::Proof);
+        !self.is_shared && (solved.status != Status::Feasible || was_stopped)
     }
 
     /// The index, in the draft that was solved, of an agent of another draft.

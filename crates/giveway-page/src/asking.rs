@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
-use giveway_model::{Cost, Question};
+use giveway_model::{Cost, Question, tr};
 use giveway_proof::Report;
 use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
@@ -132,7 +132,9 @@ impl Asking {
             costs: Some(costs),
             plan: Some(plan),
             ended: None,
-            reason: None,
+            // It was asked for, not searched for: where the best plan is known, this is not it.
+            reason: (solved.status == Status::Optimal && status == Status::Feasible)
+                .then(|| tr!("There is a better plan").to_owned()),
             stats: Stats::default(),
             ..solved.clone()
         };

@@ -136,8 +136,10 @@ pub(crate) fn saved(name: &str, answer: &ExportAnswer) -> Notice {
         "Anyone can check it again without this page: giveway verify {name}",
         name
     ));
-    Notice {
-        sentence: tr!("{name} is saved.", name),
-        details,
+    let sentence = tr!("{name} is saved.", name);
+    if rejected > 0 {
+        Notice::refusal(sentence, details)
+    } else {
+        Notice::information(sentence, details)
     }
 }

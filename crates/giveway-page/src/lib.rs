@@ -56,6 +56,7 @@ mod reserve;
 #[cfg(test)]
 mod sample;
 mod settings;
+pub mod sheet;
 pub mod slot;
 mod state;
 pub mod steering;
@@ -90,7 +91,7 @@ pub use reduce::reduce;
 pub use reserve::Reserve;
 pub use settings::{Settings, Theme};
 pub use slot::SlotAction;
-pub use state::{By, Displaced, Notice, State};
+pub use state::{By, Displaced, Notice, NoticeKind, State};
 pub use tool::Tool;
 pub use view::{Layers, Place, Selection, Sought, Tab, View};
 pub use work::{Adapting, Arrival, Certifies, Certifying, Job, Size, Solving, Task, Work};

@@ -9,19 +9,20 @@ use giveway_model::tr;
 /// assert_eq!(read(" 12 ", (1, 512)), Some(12));
 /// assert_eq!(read("99999999999", (1, 512)), None);
 /// assert_eq!(possible((1, 512)), "Possible: 1 to 512.");
-/// // A field keeps what it had, or goes to the nearest number.
+/// // A field keeps what it had: another number than the one typed would be a surprise.
 /// assert_eq!(taken("99999999999", Some(5), (1, 512)), Some(5));
-/// assert_eq!(taken("999", Some(5), (1, 512)), Some(512));
+/// assert_eq!(taken("999", Some(5), (1, 512)), Some(5));
+/// assert_eq!(taken("512", Some(5), (1, 512)), Some(512));
 /// ```
 pub fn read(typed: &str, (least, most): (u32, u32)) -> Option<u32> {
     let number = typed.trim().parse().ok()?;
     (least..=most).contains(&number).then_some(number)
 }
 
-/// What a field with a value holds after something was typed in it.
-pub fn taken(typed: &str, value: Option<u32>, (least, most): (u32, u32)) -> Option<u32> {
-    let number = typed.trim().parse::<u32>().ok();
-    number.map(|number| number.clamp(least, most)).or(value)
+/// What a field with a value holds after something was typed in it: that number where it is
+/// possible, else what it held before.
+pub fn taken(typed: &str, value: Option<u32>, range: (u32, u32)) -> Option<u32> {
+    read(typed, range).or(value)
 }
 
 /// Which numbers are possible, as a sentence.

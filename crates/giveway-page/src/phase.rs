@@ -3,7 +3,7 @@
 use giveway_solve::Status;
 
 use crate::front::Front;
-use crate::{Mode, State, Task};
+use crate::{Answer, Mode, State, Task};
 
 /// The states of the page's specification, as far as they are built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub enum Phase {
     Asking,
     /// A proof is being checked.
     Checking,
-    /// What must be so is being looked for.
+    /// What all best plans share is being looked for.
     Counting,
     /// What changes in the world is being listed.
     Changing,
@@ -30,7 +30,8 @@ pub enum Phase {
     Auditing,
     /// There is a plan, with a proof that none is better.
     Planned,
-    /// There is a plan of a planner, of which less is proved.
+    /// There is a plan, and no search said whether it is the best: of a planner, or from
+    /// elsewhere.
     Found,
     /// There is no plan, with a proof.
     None,
@@ -60,7 +61,10 @@ impl State {
             return Phase::Planned;
         }
         let answer = self.document.fresh_answer();
-        let is_found = answer.is_some_and(|answer| answer.by.is_some());
+        // The search for a front was stopped where that is not whole.
+        let is_point = self.document.own_front().is_some();
+        let is_open = |answer: &Answer| answer.by.is_some() || !answer.is_searched();
+        let is_found = !is_point && answer.is_some_and(|answer| is_open(answer));
         match answer.map(|answer| answer.solved.status) {
             Some(Status::Feasible) if is_found => Phase::Found,
             None => Phase::Editing,

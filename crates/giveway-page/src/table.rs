@@ -109,6 +109,22 @@ pub fn lanes(answer: &Answer, draft: &Draft) -> Vec<Lane> {
     agents.filter_map(lane).collect()
 }
 
+/// The most columns that one cell of a table can span: browsers take no more
+/// (HTML, 4.9.11, "colspan").
+const MOST_SPANNED: u32 = 1000;
+
+/// The cells that together span so many columns.
+///
+/// ```
+/// let spans: Vec<u32> = giveway_page::table::spans(2_500).collect();
+/// assert_eq!(spans, [1_000, 1_000, 500]);
+/// assert_eq!(giveway_page::table::spans(0).count(), 0);
+/// ```
+pub fn spans(columns: u32) -> impl Iterator<Item = u32> {
+    let starts = (0..columns).step_by(MOST_SPANNED as usize);
+    starts.map(move |start| (columns - start).min(MOST_SPANNED))
+}
+
 /// The least width of a column that holds its entries, in pixels: up to 7.4 a
 /// digit at the table's size, and some room between two of them.
 pub fn least_column(answer: &Answer) -> f64 {

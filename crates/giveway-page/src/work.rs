@@ -48,7 +48,7 @@ pub enum Task {
     Change(Adapting),
     /// A planner is looked into.
     Look(Looking),
-    /// What must be so is looked for; what is known stands in the document.
+    /// What all best plans share is looked for; what is known stands in the document.
     Freedom(Rc<FreedomRequest>),
 }
 
@@ -120,7 +120,7 @@ pub enum Certifies {
     Answer(Rc<Answer>),
     /// The answer to a question.
     Question(Rc<ExplainRequest>),
-    /// What must be so in every best plan.
+    /// What all best plans share.
     Freedom(Rc<FreedomRequest>),
 }
 

@@ -111,6 +111,55 @@ pub fn short_name(name: &str) -> String {
     }
 }
 
+/// What stands on the forms of some agents: the short name of each where it can be drawn and
+/// no other one has it too, else the agent's number, from 1.
+///
+/// ```
+/// use giveway_picture::form::badges;
+/// let all = |_: char| true;
+/// assert_eq!(badges(&["A1", "robot 7"], all), ["A1", "r7"]);
+/// assert_eq!(badges(&["carrier", "carton"], all), ["1", "2"]);
+/// assert_eq!(badges(&["\u{8f66}1", "A1"], |c| c.is_ascii()), ["1", "A1"]);
+/// assert_eq!(badges(&["\u{8f66}1", "1"], |c| c.is_ascii()), ["3", "1"]);
+/// ```
+pub fn badges(names: &[&str], is_drawn: impl Fn(char) -> bool) -> Vec<String> {
+    let mut badges: Vec<String> = names.iter().map(|name| short_name(name)).collect();
+    let number = |agent: usize| short_name(&(agent + 1).to_string());
+    let mut sorted = badges.clone();
+    giveway_model::sorting::sort(&mut sorted);
+    let is_shared = |badge: &String| {
+        let first = sorted.partition_point(|other| other < badge);
+        sorted.get(first + 1) == Some(badge)
+    };
+    let is_seen = |badge: &String| {
+        let is_blank = badge.trim().is_empty() || badge.chars().any(char::is_control);
+        !is_blank
+            && badge
+                .chars()
+                .all(|letter| letter == ' ' || is_drawn(letter))
+    };
+    let numbered: Vec<bool> = badges
+        .iter()
+        .map(|badge| is_shared(badge) || !is_seen(badge))
+        .collect();
+    let all = badges.iter().zip(&numbered);
+    let kept = all.filter_map(|(badge, &is_numbered)| (!is_numbered).then_some(badge));
+    let kept = giveway_model::sorting::set(kept.cloned());
+    // A number that is the name of another agent is left to that one.
+    let mut further = names.len();
+    for (agent, badge) in badges.iter_mut().enumerate() {
+        if numbered.get(agent) != Some(&true) {
+            continue;
+        }
+        *badge = number(agent);
+        while kept.contains(badge) {
+            *badge = number(further);
+            further += 1;
+        }
+    }
+    badges
+}
+
 /// Whether a short name must be set smaller.
 pub fn is_long(short_name: &str) -> bool {
     short_name.chars().count() > 2

@@ -43,6 +43,11 @@ impl Anchor {
     }
 }
 
+/// Whether a letter is in the table.
+pub(crate) fn is_drawn(letter: char) -> bool {
+    GLYPHS.iter().any(|(name, ..)| *name == letter)
+}
+
 /// A word in lines: shapes to be stroked, in the size of a font, at a place. Letters
 /// that are not in the table are left out.
 pub(crate) fn strokes(word: &str, (x, y): (f64, f64), size: f64, anchor: Anchor) -> String {

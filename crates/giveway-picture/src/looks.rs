@@ -111,7 +111,7 @@ mod tests {
         let agent = |name: char| Agent {
             name: name.to_string(),
             start: Cell::new(0, 0),
-            goal: Cell::new(0, 0),
+            goal: None,
             waypoints: Vec::new(),
             battery: None,
         };

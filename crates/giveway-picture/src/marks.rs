@@ -7,7 +7,7 @@ use giveway_model::{Agent, Cell};
 use giveway_model::sorting::sort_by_key;
 
 use crate::Track;
-use crate::form::short_name;
+use crate::form::{badges, short_name};
 
 /// A goal or a waypoint.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,12 @@ const WIDEST: usize = 6;
 
 /// The marks of some agents, with what they do.
 pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
+    let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
+    marks_with(agents, tracks, &badges(&names, |_| true))
+}
+
+/// The same where something else stands on the form of each agent: `badges`.
+pub fn marks_with(agents: &[Agent], tracks: &[Track], badges: &[String]) -> Vec<Mark> {
     let mut marks = Vec::new();
     for (index, agent) in agents.iter().enumerate() {
         let mut mark = |kind, cell| {
@@ -61,7 +67,9 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
                 visited: visited.map(|time| time as u32),
             });
         };
-        mark(MarkKind::Goal, agent.goal);
+        if let Some(goal) = agent.goal {
+            mark(MarkKind::Goal, goal);
+        }
         for &cell in &agent.waypoints {
             mark(MarkKind::Waypoint, cell);
         }
@@ -74,13 +82,13 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
     for cell in marks.chunk_by_mut(|a, b| a.cell == b.cell) {
         let goals = cell.partition_point(|mark| mark.kind == MarkKind::Goal);
         let (goals, waypoints) = cell.split_at_mut(goals);
-        arrange(goals, agents, |place, _| (-APART * place, 0.0));
+        arrange(goals, agents, badges, |place, _| (-APART * place, 0.0));
         let aside = if goals.is_empty() {
             (0.0, 0.0)
         } else {
             (-12.0, 10.0)
         };
-        arrange(waypoints, agents, |place, count| {
+        arrange(waypoints, agents, badges, |place, count| {
             (APART * (place - (count - 1.0) / 2.0) + aside.0, aside.1)
         });
     }
@@ -89,11 +97,16 @@ pub fn marks(agents: &[Agent], tracks: &[Track]) -> Vec<Mark> {
 
 /// Places marks of one kind on one cell: the place of each from its number and
 /// their count.
-fn arrange(marks: &mut [Mark], agents: &[Agent], shift: impl Fn(f64, f64) -> (f64, f64)) {
+fn arrange(
+    marks: &mut [Mark],
+    agents: &[Agent],
+    badges: &[String],
+    shift: impl Fn(f64, f64) -> (f64, f64),
+) {
     let count = marks.len();
     let names: Vec<String> = marks
         .iter()
-        .map(|mark| label_of(&agents[mark.agent].name))
+        .map(|mark| label_of(&agents[mark.agent].name, &badges[mark.agent]))
         .collect();
     let mut label = names[..names.len().min(NAMES)].join(" ");
     if names.len() > NAMES {
@@ -109,11 +122,12 @@ fn arrange(marks: &mut [Mark], agents: &[Agent], shift: impl Fn(f64, f64) -> (f6
 
 /// A name beside a mark: whole where it is about as wide as a cell, else as it stands on
 /// the form.
-fn label_of(name: &str) -> String {
-    if name.chars().count() <= WIDEST {
+fn label_of(name: &str, badge: &str) -> String {
+    // A number that stands for a name stands for it here, too.
+    if name.chars().count() <= WIDEST && short_name(name) == badge {
         name.to_owned()
     } else {
-        short_name(name)
+        badge.to_owned()
     }
 }
 
@@ -127,7 +141,7 @@ mod tests {
         Agent {
             name: name.to_owned(),
             start: Cell::new(0, 0),
-            goal: goal.into(),
+            goal: Some(goal.into()),
             waypoints: waypoints.iter().map(|&cell| cell.into()).collect(),
             battery: None,
         }

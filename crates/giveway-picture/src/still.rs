@@ -27,9 +27,30 @@ use crate::draw::Stage;
 /// ```
 pub fn still(instance: &Instance, plan: &Plan, time: f64, look: &Look) -> String {
     let stage = Stage::new(instance, plan, look);
-    let time = if time.is_finite() { time.max(0.0) } else { 0.0 };
-    let time = time.min(f64::from(stage.steps));
+    let time = within(&stage, time);
     let shapes = [stage.floor(), stage.ways_at(time), stage.at(time)].concat();
     let title = format!("{}, step {time}", stage.title());
     stage.svg(&title, &stage.at_words(time), "", &shapes)
+}
+
+/// The same for paper: with the numbers of columns and rows, and without the line of the
+/// time, which nobody can move there.
+pub fn on_paper(instance: &Instance, plan: &Plan, time: f64, look: &Look) -> String {
+    let stage = Stage::new(instance, plan, look);
+    let time = within(&stage, time);
+    let shapes = [
+        stage.floor(),
+        stage.ways_at(time),
+        stage.things_at(time),
+        stage.numbers(),
+    ]
+    .concat();
+    let title = format!("{}, step {time}", stage.title());
+    stage.svg(&title, &stage.at_words(time), "", &shapes)
+}
+
+/// A time of the plan.
+fn within(stage: &Stage, time: f64) -> f64 {
+    let time = if time.is_finite() { time.max(0.0) } else { 0.0 };
+    time.min(f64::from(stage.steps))
 }

@@ -280,3 +280,40 @@ fn an_agent_is_drawn_with_its_own_look() {
     let moves = moving(&instance, &plan, &other);
     assert!(moves.contains(&ink(7)) && !moves.contains(&ink(0)));
 }
+
+/// Names whose letters cannot be drawn without a font: numbers stand for them, each its own.
+#[test]
+fn letters_that_cannot_be_drawn_become_numbers() {
+    let picture = |names: [&str; 3]| {
+        let agents = (0..3).zip(names);
+        let agents = agents.map(|(x, name)| {
+            format!(r#"{{ "name": "{name}", "start": [{x}, 0], "goal": [{x}, 0] }}"#)
+        });
+        let agents: Vec<String> = agents.collect();
+        let scene = format!(
+            r#"{{ "giveway": 1, "map": ["..."], "agents": [{}] }}"#,
+            agents.join(", ")
+        );
+        let instance = native::read_instance(&scene).unwrap();
+        let mut look = Look::fitting(instance.grid(), 1000);
+        look.letters = Letters::Strokes;
+        let svg = still(&instance, &Plan::default(), 0.0, &look);
+        let shapes = svg.split("<path transform=").skip(1);
+        shapes
+            .map(|shape| shape.split("/>").next().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    let numbers = picture(["1", "2", "3"]);
+    assert_eq!(picture(["\u{8f66}1", "\u{410}1", "\u{2603}"]), numbers);
+    assert_eq!(picture(["\u{5d0}", "\u{5d1}", "\u{1f916}"]), numbers);
+    assert_eq!(
+        picture(["\u{8f66}", "1", "\u{2603}"]),
+        picture(["4", "1", "3"]),
+        "the name of another robot is no number"
+    );
+    assert_ne!(
+        picture(["A1", "B1", "\u{2603}"]),
+        numbers,
+        "letters are kept"
+    );
+}

@@ -76,7 +76,7 @@ pub(super) fn layers() -> Vec<Pick> {
         Pick::new("lanes", tr!("Timeline")),
         Pick::new("table", tr!("Table")),
         Pick::new("inside", tr!("How it was proved")),
-        Pick::new("freedom", tr!("What must be so")),
+        Pick::new("freedom", tr!("What all best plans share")),
         Pick::new("proof", tr!("The proof, to be checked")),
     ]
 }
@@ -131,7 +131,7 @@ pub(super) fn comparisons() -> Vec<Pick> {
 /// Answers to a question.
 pub(super) fn verdicts() -> Vec<Pick> {
     vec![
-        Pick::new("needless", tr!("It need not be so")),
+        Pick::new("needless", tr!("Another plan avoids it")),
         Pick::new("costly", tr!("Otherwise it costs more")),
         Pick::new("necessary", tr!("It must be so")),
     ]

@@ -94,7 +94,8 @@ fn robots(situation: Situation<'_>, edits: &mut u32, edited: &mut Vec<Cell>) -> 
             None => {
                 tool(step, &[Tool::Robot], outside())?;
                 *edits += 1;
-                edited.extend([agent.start, agent.goal]);
+                edited.push(agent.start);
+                edited.extend(agent.goal);
             }
             Some(before) => moved(step, before, agent, edits, edited)?,
         }
@@ -128,7 +129,7 @@ fn moved(
     if before.goal != agent.goal {
         tool(step, &[Tool::Goal, Tool::Move], outside())?;
         *edits += 1;
-        edited.push(agent.goal);
+        edited.extend(agent.goal.or(before.goal));
     }
     let other = |one: &Agent, two: &Agent| -> Vec<Cell> {
         let cells = one.waypoints.iter().copied();

@@ -1,7 +1,7 @@
 //! Judges a plan that was made by leading robots by hand.
 
 use giveway_model::check::{Rule, Violation, check};
-use giveway_model::{Costs, Instance, Objective, Path, Plan, Scene};
+use giveway_model::{Costs, Instance, Objective, Path, Plan, Scene, ends_with_rest};
 use giveway_solve::Response;
 
 use super::condition::first_better;
@@ -119,8 +119,9 @@ fn judged(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Result<Costs, B
 fn is_past(scene: &Scene, plan: &Plan, violation: &Violation) -> bool {
     violation.agents.iter().all(|name| {
         let path = plan.path(name);
-        let goal = scene.agents.iter().find(|agent| agent.name == *name);
-        let is_home = goal.is_some_and(|agent| path.last() == Some(&Some(agent.goal)));
+        let agent = scene.agents.iter().find(|agent| agent.name == *name);
+        let goal = agent.and_then(|agent| agent.goal);
+        let is_home = goal.is_some() && path.last() == Some(&goal);
         is_home || (violation.time as usize) < path.len()
     })
 }
@@ -133,7 +134,7 @@ fn led_another(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Option<Str
     let changed = others.find(|agent| {
         let same = |path: &[Option<giveway_model::Cell>]| -> Path {
             let mut path = path.to_vec();
-            while path.len() > 1 && path.ends_with(&[Some(agent.goal), Some(agent.goal)]) {
+            while ends_with_rest(&path, agent.goal) {
                 path.pop();
             }
             path

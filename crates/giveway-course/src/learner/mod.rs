@@ -22,7 +22,7 @@ use crate::judge::Verdict;
 use crate::port::BoardNumber;
 
 pub use action::{Action, Effect};
-pub use onward::Onward;
+pub use onward::{NEXT, Onward};
 pub use open::Open;
 pub use progress::{Progress, Stage};
 pub use proof::{Changed, Held, Proof};

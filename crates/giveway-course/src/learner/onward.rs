@@ -3,6 +3,11 @@
 use super::{Progress, Stage};
 use crate::lesson::{Course, Entry};
 
+/// The name of the next lesson among what the page can open of the course; no [`Id`] has it.
+///
+/// [`Id`]: crate::lesson::Id
+pub const NEXT: &str = "~next";
+
 /// Which lesson comes next, and in which words it is offered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Onward<'a> {

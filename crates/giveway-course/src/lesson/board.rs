@@ -77,7 +77,7 @@ pub enum Layer {
     Table,
     /// How the plan was found and proved.
     Inside,
-    /// What must be so in every best plan.
+    /// What all best plans share.
     Freedom,
     /// The proof that no plan is better, to be checked beside the text.
     Proof,

@@ -197,7 +197,7 @@ pub fn scene() -> Scene {
     let agent = |name: &str, start: (u32, u32), goal: (u32, u32)| Agent {
         name: name.to_owned(),
         start: Cell::new(start.0, start.1),
-        goal: Cell::new(goal.0, goal.1),
+        goal: Some(Cell::new(goal.0, goal.1)),
         waypoints: Vec::new(),
         battery: None,
     };

@@ -184,7 +184,7 @@ fn edits_outside_of_the_task_are_not_like_this() {
         robot()
     );
     assert_eq!(
-        outside(|scene| scene.agents[0].goal = Cell::new(2, 0)),
+        outside(|scene| scene.agents[0].goal = Some(Cell::new(2, 0))),
         robot()
     );
     assert_eq!(
@@ -204,7 +204,7 @@ fn edits_outside_of_the_task_are_not_like_this() {
         let agent = Agent {
             name: "A2".into(),
             start: Cell::new(0, 0),
-            goal: Cell::new(2, 0),
+            goal: Some(Cell::new(2, 0)),
             waypoints: Vec::new(),
             battery: None,
         };

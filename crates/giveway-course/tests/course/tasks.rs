@@ -81,7 +81,7 @@ fn painted(start: &Scene, painting: Painting) -> Scene {
     scene.agents.extend(painting.robots);
     for (name, goal) in painting.goals {
         let agent = scene.agents.iter_mut().find(|agent| agent.name == name);
-        agent.unwrap().goal = goal;
+        agent.unwrap().goal = Some(goal);
     }
     scene
 }

@@ -49,7 +49,7 @@ fn changes_of_robots_are_told_by_name() {
     assert_eq!(gone.unwrap(), "You took A1 away.");
     let moved = told(|scene| scene.agents[0].start = Cell::new(1, 2));
     assert_eq!(moved.unwrap(), "You moved A1 to (1, 2).");
-    let goal = told(|scene| scene.agents[0].goal = Cell::new(6, 2));
+    let goal = told(|scene| scene.agents[0].goal = Some(Cell::new(6, 2)));
     assert_eq!(goal.unwrap(), "You gave A1 another flag, (6, 2).");
     let added = told(|scene| {
         let mut agent = scene.agents[0].clone();

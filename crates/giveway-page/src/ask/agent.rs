@@ -32,7 +32,7 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
         return offers;
     };
     let agent = || lane.name.clone();
-    if step.way == Way::Wait {
+    if step.way.stays() {
         let (from, to) = whole_wait(lane, step);
         // What came before the last change is settled.
         let from = from.max(answer.changed_last().unwrap_or(0));
@@ -55,7 +55,7 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
         let left = lane.level_at(time).unwrap_or_default();
         offers.push(Offer::new("charger", charge).with(tr!("with {left} left", left)));
     }
-    if step.way != Way::Wait {
+    if !step.way.stays() {
         let go = Question::Move {
             agent: agent(),
             from_cell: step.from,
@@ -77,7 +77,7 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
 
 /// The wait that a step is part of: its first and its last time.
 fn whole_wait(lane: &Lane, step: &Step) -> (u32, u32) {
-    let is_same = |other: &&Step| other.way == Way::Wait && other.from == step.from;
+    let is_same = |other: &&Step| other.way.stays() && other.from == step.from;
     let after = lane.steps.iter().filter(|s| s.begins >= step.begins);
     let to = after
         .take_while(is_same)
@@ -93,7 +93,7 @@ fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
     let next = lane
         .steps
         .iter()
-        .find(|s| s.begins >= step.begins && s.way != Way::Wait)?;
+        .find(|s| s.begins >= step.begins && !s.way.stays())?;
     let others = (0..answer.draft.agents().len()).filter(|&other| other != lane.agent);
     // Who was there last before the agent comes.
     let last = others
@@ -118,7 +118,7 @@ fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
         Offer::new("clock", Question::Arrival { agent: agent() })
             .with(tr!("it arrives at {time}", time = lane.arrival)),
     ];
-    let waits = lane.count(Way::Wait);
+    let waits = lane.waits();
     if waits > 0 {
         let waits = tr!("it waits for {waits} in all", waits);
         offers.push(

@@ -31,7 +31,7 @@ pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
             let given = answer.draft.agents().get(lane.agent);
             // It must, and a question would only say so.
             let must = given.is_some_and(|agent| {
-                agent.start == cell || agent.goal == cell || agent.waypoints.contains(&cell)
+                agent.start == cell || agent.goal == Some(cell) || agent.waypoints.contains(&cell)
             });
             if !must && offers.len() < AGENTS {
                 offers.push(Offer::new("question", visit));

@@ -13,6 +13,17 @@ pub(super) fn is_later(question: &Question, since: u32) -> bool {
         | Question::Move { time, .. } => later(time),
         // They are about all of a plan, or name no time.
         Question::Order { .. } | Question::Slow { .. } | Question::Yield { .. } => false,
-        _ => true,
+        Question::NoCharge { .. }
+        | Question::NoVisit { .. }
+        | Question::NoMove { .. }
+        | Question::Arrival { .. }
+        | Question::Length { .. }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Charges { .. }
+        | Question::Moves { .. }
+        | Question::Waits { .. }
+        | Question::Unsolvable
+        | Question::Plan => true,
     }
 }

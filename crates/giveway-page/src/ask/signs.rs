@@ -69,13 +69,13 @@ pub(super) fn pending(part: Part) -> &'static str {
 
 pub(super) fn fact_icon(fact: &Fact) -> &'static str {
     match fact.kind {
-        FactKind::Task => "agent",
+        FactKind::Task | FactKind::Presence => "agent",
         FactKind::Waypoint => "waypoint",
         FactKind::Battery | FactKind::Floor => "charger",
         FactKind::Obstacle => "obstacle",
         FactKind::Slow => "slow",
         FactKind::Collision => "collision",
-        FactKind::Stay => "goal",
+        FactKind::Stay | FactKind::Rest => "goal",
         FactKind::Deadline => "clock",
         FactKind::Breakdown => "pause",
     }

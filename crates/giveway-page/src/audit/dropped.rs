@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_formats::ForeignPlan;
 use giveway_model::check::{Rule, Violation, check};
-use giveway_model::format::foreign::ForeignPlan;
 use giveway_model::{Instance, Plan, Version};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 

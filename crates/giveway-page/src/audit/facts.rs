@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_formats::{CellOrder, Conventions, ForeignPlan, Origin, Up};
 use giveway_model::check::Violation;
-use giveway_model::format::foreign::{CellOrder, Conventions, ForeignPlan, Origin, Up};
 use giveway_model::words::capital;
 use giveway_model::{Cost, Costs, Plan, tr};
 
@@ -139,7 +139,7 @@ fn facts_by(state: &State, known: &Known, is_running: bool) -> Option<Facts> {
         plans: rows(audit),
         choices: choices(file),
         can_read_again: !audit.files.is_empty(),
-        facts: file_facts(plan),
+        facts: file_facts(audit, known),
         verdict: verdict(audit, known, is_running),
         violations: shown
             .enumerate()

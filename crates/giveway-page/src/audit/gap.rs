@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Costs, Objective};
+use giveway_model::{Assumption, Cost, Costs, Objective};
 use giveway_solve::Status;
 
 use super::Audit;
@@ -19,12 +19,22 @@ pub(crate) struct Known {
     pub(crate) is_optimal: bool,
     /// Whether there is a proof that there is no plan.
     pub(crate) is_impossible: bool,
+    /// Whether the scene leaves out what may change all of that: then nothing is known.
+    is_open: bool,
 }
 
 impl Known {
     /// What is known of the scene of an audit, with what a search has found so far.
     pub(crate) fn of(audit: &Audit, run: Option<&Solving>) -> Self {
         let mut known = Self::default();
+        let assumptions = &audit.plan.answer.draft.scene().assumptions;
+        let has = |kind: fn(&Assumption) -> bool| assumptions.iter().any(kind);
+        let is_chosen = has(|one| matches!(one, Assumption::GoalsChosen));
+        known.is_open = has(|one| matches!(one, Assumption::UnknownKey { .. }))
+            || (is_chosen && !audit.plan.is_legal());
+        if known.is_open {
+            return known;
+        }
         if let Some(ours) = &audit.ours {
             known.bounds.clone_from(&ours.solved.bounds);
             known.best = ours.solved.costs.filter(|_| ours.plan().is_some());
@@ -32,14 +42,32 @@ impl Known {
             known.is_impossible = ours.solved.status == Status::Impossible;
         }
         if let Some(run) = run {
-            known.raise(&run.bounds);
-            known.best = run.best.or(known.best);
+            let mut bounds = run.bounds.clone();
+            if has(|one| matches!(one, Assumption::RuleLeftOut { .. })) {
+                // A later cost's bound speaks of plans that reach those before it, and which of
+                // these keep the rule is not known.
+                let first = audit.objective().costs().first();
+                bounds.retain(|cost, _| Some(cost) == first);
+            }
+            known.raise(&bounds);
+            // What is found on the way was not judged with obstacles that move and with rules
+            // that are left out.
+            let is_relaxed = has(|one| match one {
+                Assumption::MovingObstacle { .. } | Assumption::RuleLeftOut { .. } => true,
+                Assumption::GoalsChosen | Assumption::UnknownKey { .. } => false,
+            });
+            if !is_relaxed {
+                known.best = run.best.or(known.best);
+            }
         }
         known
     }
 
     /// Takes in bounds of a search that runs.
     pub(crate) fn raise(&mut self, bounds: &BTreeMap<Cost, u32>) {
+        if self.is_open {
+            return;
+        }
         for (&cost, &bound) in bounds {
             let known = self.bounds.entry(cost).or_insert(bound);
             *known = bound.max(*known);

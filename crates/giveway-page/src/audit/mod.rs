@@ -17,12 +17,12 @@ mod words;
 
 use std::rc::Rc;
 
-use giveway_model::Objective;
-use giveway_model::format::foreign::Conventions;
+use giveway_formats::Conventions;
+use giveway_model::{Objective, Scene};
 
 use crate::files::Opened;
 use crate::lesson::Lesson;
-use crate::{Answer, State};
+use crate::{Answer, Draft, State};
 
 pub use conflicts::{Conflicts, conflicts};
 pub use dropped::Dropped;
@@ -104,6 +104,34 @@ impl Audit {
             beside: Beside::Nothing,
             notes,
             files,
+        })
+    }
+
+    /// The same plans judged on another draft of the scene, in which only rules or costs are
+    /// others; `None` where more is, or the draft is no valid scene.
+    pub(crate) fn on(&self, draft: &Rc<Draft>) -> Option<Self> {
+        let (old, new) = (self.plan.answer.draft.scene(), draft.scene());
+        let same = Scene {
+            rules: new.rules,
+            objective: new.objective.clone(),
+            ..old.clone()
+        };
+        if same != *new {
+            return None;
+        }
+        let judged = self.plans.iter();
+        let judged = judged.map(|plan| Dropped::new(draft, plan.file.clone()).map(Rc::new));
+        let plans = judged.collect::<Option<Vec<_>>>()?;
+        let mut plan_of = self.plans.iter().zip(&plans);
+        let chosen = plan_of.find(|(old, _)| Rc::ptr_eq(old, &self.plan));
+        let plan = Rc::clone(chosen.map_or(plans.first()?, |(_, plan)| plan));
+        Some(Self {
+            plan,
+            plans,
+            ours: None,
+            beside: Beside::Nothing,
+            notes: self.notes.clone(),
+            files: Rc::clone(&self.files),
         })
     }
 

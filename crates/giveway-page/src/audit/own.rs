@@ -4,7 +4,8 @@ use giveway_model::words::Later;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::format::foreign::{Claimed, Conventions, Fit, ForeignPlan, Format};
+use giveway_formats::{Conventions, Fit, ForeignPlan, Format};
+use giveway_model::compare::{Claimed, ClaimedBounds};
 use giveway_model::{Plan, tr, tr_later};
 use giveway_solve::Status;
 
@@ -62,6 +63,7 @@ impl Dropped {
             headings: BTreeMap::new(),
             notes: Vec::new(),
             plan: plan.clone(),
+            bounds: ClaimedBounds::default(),
         };
         Self::new(draft, file)
     }

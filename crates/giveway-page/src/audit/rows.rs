@@ -2,10 +2,9 @@
 //! breaks, what it costs.
 
 use giveway_model::check::{Rule, Violation};
-use giveway_model::compare::{ClaimedCost, claims};
-use giveway_model::tr;
-use giveway_model::words::and;
-use giveway_model::words::capital;
+use giveway_model::compare::{ClaimedBound, ClaimedCost, claimed_bounds, claimed_loss, claims};
+use giveway_model::words::{and, capital};
+use giveway_model::{Plan, tr};
 
 use super::gap::Known;
 use super::{Audit, Dropped};
@@ -62,7 +61,8 @@ impl CostRow {
 }
 
 /// How the file was read, with why; and what it claims, where that is not so.
-pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
+pub(super) fn facts(audit: &Audit, known: &Known) -> Vec<Fact> {
+    let plan = &*audit.plan;
     let file = &plan.file;
     if plan.is_own() {
         return Vec::new();
@@ -84,7 +84,33 @@ pub(super) fn facts(plan: &Dropped) -> Vec<Fact> {
         });
     }
     facts.extend(claimed(plan));
+    facts.extend(claimed_of_all(audit, known));
     facts
+}
+
+/// What the file says of all plans, beside what is known here.
+fn claimed_of_all(audit: &Audit, known: &Known) -> Vec<Fact> {
+    let plan = &*audit.plan;
+    let Ok(instance) = plan.answer.draft.instance() else {
+        return Vec::new();
+    };
+    let ours = audit.better().and_then(|ours| ours.plan());
+    let plans: Vec<&Plan> = std::iter::once(&plan.file.plan).chain(ours).collect();
+    // A bound of a later cost holds for some plans only.
+    let first = audit.objective().costs().first();
+    let mut proved = known.bounds.clone();
+    let ours = audit.ours.as_ref();
+    let is_for_ever = ours.is_some_and(|ours| ours.solved.complete);
+    proved.retain(|cost, _| Some(cost) == first && is_for_ever);
+    let bounds = claimed_bounds(instance, &plans, plan.file.bounds, &proved);
+    let sentences = bounds.iter().map(ClaimedBound::sentence);
+    let loss = claimed_loss(instance, &plan.file.plan, plan.file.bounds);
+    let fact = |what| Fact {
+        title: tr!("It says").to_owned(),
+        what,
+        why: String::new(),
+    };
+    sentences.chain(loss).map(fact).collect()
 }
 
 /// What the file says that its plan costs, where we count otherwise.

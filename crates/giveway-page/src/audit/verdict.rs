@@ -1,7 +1,7 @@
 //! The verdict on a plan of elsewhere: is it legal, and how good is it?
 
 use giveway_model::check::{Rule, Violation};
-use giveway_model::{Cost, Costs, tr};
+use giveway_model::{Assumption, Cost, Costs, tr};
 use giveway_solve::audit::words::percent;
 
 use super::gap::{Gap, Known};
@@ -135,9 +135,15 @@ fn legal(audit: &Audit, costs: Option<Costs>, known: &Known, is_running: bool) -
                     tr!("costs at least so much" => "Every plan {least}.", least)
                 })
                 .collect();
+            let scene = audit.plan.answer.draft.scene();
+            let detail = if scene.assumptions.contains(&Assumption::GoalsChosen) {
+                tr!("proved for the goals chosen")
+            } else {
+                tr!("proved")
+            };
             new(
                 ["checked", "proved", tr!("No plan is better")],
-                tr!("proved").to_owned(),
+                detail.to_owned(),
                 words.join(" "),
             )
         }

@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_formats::Heading;
 use giveway_model::check::Rule;
-use giveway_model::format::foreign::Heading;
 use giveway_model::{Agent, Cell};
 
-use super::{Mark, Pose, Track, Way, marks};
-use crate::{Answer, Draft, State, inside};
+use super::{Mark, Pose, Track, Way, marks_with};
+use crate::{Answer, Draft, State, form, inside};
 use giveway_model::sorting::sort;
 
 /// The agents of a draft and what they do by the plan shown, if any.
@@ -18,6 +18,8 @@ pub struct Cast {
     pub agents: Vec<Agent>,
     /// The look of each.
     pub looks: Vec<usize>,
+    /// What stands on the form of each: no two have the same.
+    pub badges: Vec<String>,
     /// What each does.
     pub tracks: Vec<Track>,
     /// The way of each.
@@ -68,7 +70,7 @@ impl Cast {
         let agents = draft.agents().to_vec();
         let planned = answer.map_or_else(Vec::new, |answer| answer.agents_of(draft));
         let is_there = there(state);
-        let at_goal = state.document.draft.scene().rules.at_goal;
+        let rules = state.document.draft.scene().rules;
         let track = |(index, agent): (usize, &Agent)| {
             let solved = planned.get(index).copied().flatten();
             let plan = answer.filter(|_| solved.is_some());
@@ -90,17 +92,23 @@ impl Cast {
             let from = from.unwrap_or_else(|| joins(state, index));
             let until = answer.zip(solved);
             let until = until.and_then(|(answer, index)| answer.removed(index));
-            let track = Track::new(path, charges, battery, at_goal);
-            let track = track.between(from, until);
+            let track = Track::new(path, charges, battery, rules.at_end_of(agent));
+            let breakdowns = answer.zip(solved);
+            let breakdowns = breakdowns.map_or(&[][..], |(answer, index)| answer.breakdowns(index));
+            let track = track
+                .between(from, until)
+                .breaking_down(breakdowns.to_vec());
             match answer.and_then(|answer| headings(state, answer, &agent.name)) {
                 Some(headings) => track.turning(headings),
                 None => track,
             }
         };
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
+        let badges = badges(&agents);
         Self {
             ways: ways(&tracks, &is_there),
-            marks: marks_of(&agents, &tracks, &is_there),
+            marks: marks_of(&agents, &tracks, &badges, &is_there),
+            badges,
             asides: answer.map_or_else(BTreeMap::new, |answer| asides(state, answer, &agents)),
             looks: state.looks(),
             tracks,
@@ -247,12 +255,19 @@ fn ways(tracks: &[Track], is_there: &[bool]) -> Vec<Way> {
     Way::of_all(&shown.collect::<Vec<Track>>())
 }
 
+/// What stands on the forms of some agents.
+pub fn badges(agents: &[Agent]) -> Vec<String> {
+    let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
+    form::badges(&names, |_| true)
+}
+
 /// The marks of those who are there.
-fn marks_of(agents: &[Agent], tracks: &[Track], is_there: &[bool]) -> Vec<Mark> {
+fn marks_of(agents: &[Agent], tracks: &[Track], badges: &[String], is_there: &[bool]) -> Vec<Mark> {
     let there: Vec<usize> = (0..agents.len()).filter(|&agent| is_there[agent]).collect();
     let own: Vec<Agent> = there.iter().map(|&agent| agents[agent].clone()).collect();
     let tracks: Vec<Track> = there.iter().map(|&agent| tracks[agent].clone()).collect();
-    let mut marks = marks(&own, &tracks);
+    let badges: Vec<String> = there.iter().map(|&agent| badges[agent].clone()).collect();
+    let mut marks = marks_with(&own, &tracks, &badges);
     for mark in &mut marks {
         mark.agent = there[mark.agent];
     }

@@ -28,6 +28,6 @@ impl Cast {
         let is_there = |cell: Cell| is_at(cell.x, point.x) && is_at(cell.y, point.y);
         let there = self.agents.iter().zip(&self.is_there);
         let mut there = there.filter(|(_, is_there)| **is_there);
-        there.any(|(agent, _)| is_there(agent.goal))
+        there.any(|(agent, _)| agent.goal.is_some_and(is_there))
     }
 }

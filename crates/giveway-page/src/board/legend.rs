@@ -34,6 +34,8 @@ pub enum Kind {
     Ahead,
     /// A wait.
     Wait,
+    /// A breakdown.
+    Broken,
     /// A cell that is used much.
     Used,
     /// A way that every best plan has.
@@ -67,6 +69,7 @@ impl Kind {
             Self::Waypoint => tr!("Waypoint, filled once visited"),
             Self::Ahead => tr!("Way ahead"),
             Self::Wait => tr!("Waits"),
+            Self::Broken => tr!("Broken down"),
             Self::Used => tr!("Darker: used more often"),
             Self::Must => tr!("In every best plan"),
             Self::Only => tr!("In this plan alone"),
@@ -74,6 +77,14 @@ impl Kind {
             Self::Unsure => tr!("Not known"),
             Self::Price => tr!("Closing this cell costs so much"),
             Self::Late => tr!("May be late"),
+        }
+    }
+
+    /// What it means on paper, where nothing is pressed.
+    pub fn on_paper(self) -> &'static str {
+        match self {
+            Self::Problem => tr!("Problem"),
+            other => other.words(),
         }
     }
 
@@ -92,6 +103,7 @@ impl Kind {
             Self::Waypoint => "k-wp",
             Self::Ahead => "k-ahead",
             Self::Wait => "k-wait",
+            Self::Broken => "k-broken",
             Self::Used => "k-used",
             Self::Must => "k-must",
             Self::Only => "k-only",
@@ -127,6 +139,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::Try, !reasons.tries.is_empty()),
         (Kind::Differs, state.beside().is_some()),
         (Kind::Stale, is_stale),
+        (Kind::Broken, cast.tracks.iter().any(Track::has_breakdowns)),
         (Kind::Charger, has_ground(Ground::is_charger)),
         (Kind::Slow, has_ground(Ground::is_slow)),
         (Kind::Goal, has_mark(MarkKind::Goal)),

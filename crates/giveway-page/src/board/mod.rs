@@ -17,12 +17,12 @@ mod star;
 mod tests;
 
 pub use camera::{Camera, Frame, MAX_CELL_PX, PRESENTED_CELL_PX};
-pub use cast::Cast;
+pub use cast::{Cast, badges};
 pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;
 pub use giveway_picture::{
     Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, Way,
-    WayEnds, lines, marks, of_badge,
+    WayEnds, lines, marks, marks_with, of_badge,
 };
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};

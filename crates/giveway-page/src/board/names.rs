@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cell, Grid, Ground, tr};
 
-use super::{Cast, Frame};
+use super::{Badge, Cast, Frame, Track};
 use crate::Problem;
 
 /// The most cells a side that have a name at once.
@@ -57,6 +57,11 @@ impl Window {
     }
 }
 
+fn is_broken(track: &Track, time: u32) -> bool {
+    let pose = track.pose(f64::from(time));
+    pose.is_some_and(|pose| pose.badge == Some(Badge::Broken))
+}
+
 /// What is on each cell at a time, in words.
 #[derive(Clone, Debug, Default)]
 pub struct CellNames {
@@ -78,7 +83,9 @@ impl CellNames {
             names.add(agent.start, tr!("start of {agent}", agent = agent.name));
         }
         for (agent, _) in agents() {
-            names.add(agent.goal, tr!("goal of {agent}", agent = agent.name));
+            if let Some(goal) = agent.goal {
+                names.add(goal, tr!("goal of {agent}", agent = agent.name));
+            }
         }
         for (agent, track) in agents() {
             for &cell in &agent.waypoints {
@@ -100,6 +107,12 @@ impl CellNames {
                 [from, to] => {
                     names.add(from, tr!("{agent} leaves", agent = agent.name));
                     names.add(to, tr!("{agent} comes", agent = agent.name));
+                }
+                [cell] if is_broken(track, time) => {
+                    names.add(
+                        cell,
+                        tr!("{agent} is here, broken down", agent = agent.name),
+                    );
                 }
                 // Where it starts it is at first: that need not be said twice.
                 [cell] if time > 0 || cell != agent.start => {

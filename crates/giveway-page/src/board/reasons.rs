@@ -172,7 +172,7 @@ fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
         (FactKind::Obstacle, Some(cell), _) => Some(middle(cell)),
         (_, Some(cell), _) => Some(corner(middle(cell))),
         (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
-        (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal))),
+        (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal?))),
         (FactKind::Breakdown, None, [name]) => {
             let plan = state.document.mode.asking()?.request.plan.as_ref()?;
             Some(corner(middle(last_cell(plan, name, fact.time?)?)))

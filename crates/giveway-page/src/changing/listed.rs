@@ -28,7 +28,7 @@ pub(super) fn add(list: &mut Vec<What>, what: What) {
         }
         What::SetGoal { agent, cell } => {
             if let Some(added) = added(list, &agent) {
-                added.goal = cell;
+                added.goal = Some(cell);
                 return;
             }
             let is_goal =

@@ -110,6 +110,24 @@ impl Changing {
         })
     }
 
+    /// Changes of a file, at the first of their times, around a plan that does not know of
+    /// them; `None` where there is none, or where what is at that time is settled.
+    ///
+    /// # Errors
+    /// How they contradict the world.
+    pub(crate) fn of_file(
+        about: &Rc<Answer>,
+        changes: &Changes,
+    ) -> Result<Option<Self>, Vec<Fault>> {
+        let by_time = changes.by_time();
+        let Some((at, first)) = by_time.first() else {
+            return Ok(None);
+        };
+        let list = first.iter().map(|(_, change)| change.what.clone());
+        let begun = Self::begin(about, *at);
+        begun.map(|begun| begun.with(list.collect())).transpose()
+    }
+
     /// The same with another list of changes.
     ///
     /// # Errors
@@ -135,11 +153,19 @@ impl Changing {
         }
     }
 
+    /// What is listed.
+    pub(crate) fn listed(&self) -> Changes {
+        Changes {
+            giveway: Version,
+            changes: self.list.iter().map(|what| self.change(what)).collect(),
+        }
+    }
+
     /// All that changed before, and what is listed.
     pub(crate) fn changes(&self) -> Changes {
         let course = self.about.course.as_deref();
         let before = course.map_or(&[][..], |course| &course.changes.changes);
-        let listed = self.list.iter().map(|what| self.change(what));
+        let listed = self.listed().changes;
         Changes {
             giveway: Version,
             changes: before.iter().cloned().chain(listed).collect(),

@@ -117,7 +117,7 @@ fn agent_at(timeline: &Timeline, time: u32) -> Agent {
             && waypoint.dropped.is_none_or(|dropped| time < dropped)
     });
     Agent {
-        goal: goal.map_or(timeline.agent.goal, |&(_, goal)| goal),
+        goal: goal.map_or(timeline.agent.goal, |&(_, goal)| Some(goal)),
         waypoints: waypoints.map(|waypoint| waypoint.cell).collect(),
         ..timeline.agent.clone()
     }

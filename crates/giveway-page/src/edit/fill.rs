@@ -56,7 +56,7 @@ impl Fill {
             sketch.scene.agents.push(Agent {
                 name,
                 start,
-                goal,
+                goal: Some(goal),
                 waypoints: Vec::new(),
                 battery: None,
             });

@@ -23,7 +23,9 @@ impl Sketch {
 
             Edit::AddAgent(agent) => {
                 self.stand(&agent.name, agent.start, tr!("a robot cannot" => "start"))?;
-                self.stand(&agent.name, agent.goal, tr!("a robot cannot" => "end"))?;
+                if let Some(goal) = agent.goal {
+                    self.stand(&agent.name, goal, tr!("a robot cannot" => "end"))?;
+                }
                 self.scene.agents.push(agent.clone());
             }
             Edit::RemoveAgent(agent) => {
@@ -32,12 +34,14 @@ impl Sketch {
                 }
             }
             Edit::SetStart(agent, to) => {
-                return self.moved(*agent, *to, tr!("a robot cannot" => "start"), |a| {
-                    &mut a.start
-                });
+                let name = self.name(*agent);
+                self.stand(&name, *to, tr!("a robot cannot" => "start"))?;
+                self.agent(*agent, |a| a.start = *to);
             }
             Edit::SetGoal(agent, to) => {
-                return self.moved(*agent, *to, tr!("a robot cannot" => "end"), |a| &mut a.goal);
+                let name = self.name(*agent);
+                self.stand(&name, *to, tr!("a robot cannot" => "end"))?;
+                self.agent(*agent, |a| a.goal = Some(*to));
             }
             Edit::AddWaypoint(agent, cell) => {
                 let name = self.name(*agent);
@@ -122,19 +126,6 @@ impl Sketch {
         }
     }
 
-    fn moved(
-        &mut self,
-        agent: usize,
-        to: Cell,
-        what: &str,
-        place: fn(&mut Agent) -> &mut Cell,
-    ) -> Result<(), String> {
-        let name = self.name(agent);
-        self.stand(&name, to, what)?;
-        self.agent(agent, |a| *place(a) = to);
-        Ok(())
-    }
-
     /// Paints a cell. What an agent needs is kept free of obstacles.
     fn paint(&mut self, paint: Paint, at: Cell, on: bool) -> Result<(), String> {
         let Some(old) = self.ground(at) else {
@@ -172,13 +163,13 @@ impl Sketch {
     }
 
     /// Takes away what is on a cell: an agent that starts there, waypoints, the
-    /// ground; an agent whose goal was there stays where it starts.
+    /// ground; an agent whose goal was there has none, and may rest at any cell.
     fn erase(&mut self, at: Cell) {
         self.scene.agents.retain(|agent| agent.start != at);
         for agent in &mut self.scene.agents {
             agent.waypoints.retain(|&waypoint| waypoint != at);
-            if agent.goal == at {
-                agent.goal = agent.start;
+            if agent.goal == Some(at) {
+                agent.goal = None;
             }
         }
         self.grid.set_ground(at, Ground::Free);
@@ -193,7 +184,7 @@ impl Sketch {
         self.grid = grid;
         let is_on = |cell: &Cell| cell.x < width && cell.y < height;
         let agents = &mut self.scene.agents;
-        agents.retain(|agent| is_on(&agent.start) && is_on(&agent.goal));
+        agents.retain(|agent| is_on(&agent.start) && agent.goal.iter().all(is_on));
         for agent in agents {
             agent.waypoints.retain(is_on);
         }

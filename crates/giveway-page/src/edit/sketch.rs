@@ -50,7 +50,7 @@ impl Sketch {
         self.scene.agents.iter().find_map(|agent| {
             let why = if agent.start == cell {
                 tr!("a robot" => "starts")
-            } else if agent.goal == cell {
+            } else if agent.goal == Some(cell) {
                 tr!("a robot" => "has its goal")
             } else if agent.waypoints.contains(&cell) {
                 tr!("a robot" => "has a waypoint")

@@ -9,7 +9,7 @@ use crate::MAX_SIDE;
 /// ```
 /// use giveway_page::files::blank;
 /// assert_eq!(blank("hall", 3, 2).map, ["...", "..."]);
-/// assert_eq!(blank("hall", 0, 9999).map.len(), 512);
+/// assert_eq!(blank("hall", 0, 9999).map.len(), 2048);
 /// ```
 pub fn blank(name: &str, columns: u32, rows: u32) -> Scene {
     let side = |cells: u32| cells.clamp(1, MAX_SIDE) as usize;

@@ -7,13 +7,14 @@ use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
 
 /// The text of a file that is a lesson by a look at it. The course reads it.
-fn lesson(files: &[Opened]) -> Option<&str> {
+fn lesson(files: &[Opened]) -> Option<String> {
     let [file] = files else {
         return None;
     };
     let text = text(file).ok()?;
     let keys = ["\"giveway\"", "\"title\"", "\"steps\""];
-    keys.iter().all(|key| text.contains(key)).then_some(text)
+    let is_lesson = keys.iter().all(|key| text.contains(key));
+    is_lesson.then(|| text.into_owned())
 }
 
 /// Reads files that the page reads by itself; a scenario that lacks its map takes that
@@ -32,7 +33,7 @@ fn lesson(files: &[Opened]) -> Option<&str> {
 /// ```
 pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, Notice>> {
     if let Some(lesson) = lesson(files) {
-        return Some(Ok(Reading::Lesson(lesson.to_owned())));
+        return Some(Ok(Reading::Lesson(lesson)));
     }
     if intake::is_for_reader(state, files) {
         return None;
@@ -44,7 +45,7 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
         Ok(content) => content,
         Err(notice) => return Some(Err(notice)),
     };
-    if Kind::of(&file.name, content) != Kind::Scenario {
+    if Kind::of(&file.name, &content) != Kind::Scenario {
         return read_here(files);
     }
     let grid = state.document.draft.grid().clone();
@@ -53,7 +54,7 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
         width = grid.width(),
         height = grid.height()
     );
-    let read = scenario::on(grid, (file, content)).map_err(|unfit| {
+    let read = scenario::on(grid, (file, &content)).map_err(|unfit| {
         // What is wrong with the file itself is told as such.
         let alone = read_here(files).and_then(Result::err);
         let mut alone = alone.unwrap_or(unfit);

@@ -1,5 +1,7 @@
 //! What a file is.
 
+use giveway_formats::movingai;
+
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -14,17 +16,29 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// By its ending; by how it begins where that is another.
+    /// By its text; what the browser kept, by its ending.
     pub(super) fn of(name: &str, text: &str) -> Self {
-        let ending = name.rsplit_once('.').map(|(_, ending)| ending);
-        match ending.map(str::to_ascii_lowercase).as_deref() {
-            Some("json") => Self::Json,
-            Some("map") => Self::Map,
-            Some("scen") => Self::Scenario,
-            Some("giveway") => Self::Kept,
-            _ if text.trim_start().starts_with("type ") => Self::Map,
-            _ if text.trim_start().starts_with("version ") => Self::Scenario,
-            _ => Self::Json,
+        if is_kept(name, text) {
+            Self::Kept
+        } else if movingai::is_map(text) {
+            Self::Map
+        } else if movingai::is_scenario(text) {
+            Self::Scenario
+        } else {
+            Self::Json
         }
     }
+}
+
+/// Whether a file is what the browser kept, downloaded.
+fn is_kept(name: &str, text: &str) -> bool {
+    let ending = name.rsplit_once('.').map(|(_, ending)| ending);
+    ending.is_some_and(|ending| ending.eq_ignore_ascii_case("giveway"))
+        || text.trim_start().starts_with("giveway-kept=")
+}
+
+/// Whether the page reads a file by itself: a map or a scenario of the benchmark, or what
+/// the browser kept. All others are for the reader.
+pub(crate) fn is_read_here(name: &str, text: &str) -> bool {
+    Kind::of(name, text) != Kind::Json
 }

@@ -10,15 +10,20 @@ mod scenario;
 #[cfg(test)]
 mod tests;
 
-use giveway_model::format::{movingai, native, read_text};
+use std::borrow::Cow;
+
+use giveway_formats::movingai;
+use giveway_model::format::read_text;
 use giveway_model::words::Later;
 use giveway_model::{Fault, Scene, tr, tr_later};
 
-use crate::link::{self, Linked};
+use crate::link;
 use crate::{Notice, State, intake};
 use kind::Kind;
+pub(crate) use kind::is_read_here;
 
 pub use blank::blank;
+pub use course::Together;
 pub use dropped::read_beside;
 pub use save::{Saved, changes_file, kept_file, picture_name, plan_file, scene_file, trace_file};
 pub(crate) use save::{certificate_name, freedom_name};
@@ -41,8 +46,8 @@ pub struct Opened {
 pub enum Reading {
     /// A scene.
     Scene(Box<Scene>),
-    /// A scene with its plan, and with what changed while that ran.
-    Linked(Box<Linked>),
+    /// A scene with its plan, with what changed while that ran, and with a question.
+    Linked(Box<Together>),
     /// A map and a scenario: a person chooses how many of its agents.
     Scenario(Box<Choice>),
     /// A lesson, for the course: its text, or the part of a link that holds it.
@@ -72,13 +77,17 @@ fn larger_than(name: &str, bytes: u64, most: u64) -> Option<Notice> {
 /// that reads that is a large part of a program, so the page leaves it to the reader.
 /// `None` where some file is for the reader.
 pub(crate) fn read_here(files: &[Opened]) -> Option<Result<Reading, Notice>> {
-    let mut kinds = Vec::new();
+    let mut texts = Vec::new();
     for file in files {
         match text(file) {
-            Ok(text) => kinds.push((Kind::of(&file.name, text), file, text)),
+            Ok(text) => texts.push((file, text)),
             Err(notice) => return Some(Err(notice)),
         }
     }
+    let kinds = texts.iter();
+    let kinds: Vec<_> = kinds
+        .map(|(file, text)| (Kind::of(&file.name, text), *file, &**text))
+        .collect();
     match *kinds {
         [(Kind::Kept, file, text)] => Some(kept(file, text)),
         [(Kind::Map, file, text)] => Some(map(file, text)),
@@ -91,8 +100,8 @@ pub(crate) fn read_here(files: &[Opened]) -> Option<Result<Reading, Notice>> {
     }
 }
 
-/// Reads the files that were opened together: a scene in the project's own
-/// JSON, alone or with its plan and what changed while that ran; or a MovingAI
+/// Reads the files that were opened together: a scene in the project's own JSON, alone
+/// or with its plan, what changed while that ran and a question; or a MovingAI
 /// map, with or without one scenario for it.
 ///
 /// # Errors
@@ -106,7 +115,8 @@ pub(crate) fn read_here(files: &[Opened]) -> Option<Result<Reading, Notice>> {
 /// ```
 pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
     let files = files.iter().map(|file| Ok((file, text(file)?)));
-    let files: Vec<(&Opened, &str)> = files.collect::<Result<_, Notice>>()?;
+    let files: Vec<(&Opened, Cow<'_, str>)> = files.collect::<Result<_, Notice>>()?;
+    let files: Vec<(&Opened, &str)> = files.iter().map(|(file, text)| (*file, &**text)).collect();
     let of = |kind: Kind| {
         let files = files.iter().copied();
         files.filter(move |(file, text)| Kind::of(&file.name, text) == kind)
@@ -123,21 +133,14 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         return read;
     }
     match (&*scenes, &*maps, &*scenarios) {
-        ([], [], []) => Err(one_sentence(tr!("There is no file to open.").to_owned())),
-        (&[(file, text)], [], []) => match course::alone(file, text) {
-            None => scene(file, text),
-            Some(notice) => Err(notice),
-        },
+        ([], [], []) => Err(Notice::refusal(tr!("There is no file to open."), Vec::new())),
         ([], &[(file, text)], []) => map(file, text),
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
-        _ => Err(Notice {
-            sentence: tr!("Open one scene at a time.").to_owned(),
-            details: vec![
+        _ => Err(Notice::refusal(tr!("Open one scene at a time."), vec![
                 tr!("found {scenes}, {maps}, {scenarios}", scenes = tr!("{n} JSON file" | "{n} JSON files" % scenes.len()), maps = tr!("{n} map" | "{n} maps" % maps.len()), scenarios = tr!("{n} scenario" | "{n} scenarios" % scenarios.len())),
                 tr!("expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen").to_owned(),
-            ],
-        }),
+            ])),
     }
 }
 
@@ -157,17 +160,20 @@ const PASTED: Later = tr_later!("Pasted text");
 /// assert!(matches!(pasted(&state, scene), Ok(Pasted::File(_))));
 /// let link = "https://example.org/#giveway=1&map=1.f&rules=0.0&costs=012&agents=";
 /// assert!(matches!(pasted(&state, link), Ok(Pasted::Read(_))));
-/// assert!(pasted(&state, "good morning").is_err());
+/// let facts = "init(object(node,1),value(at,(1,1))).";
+/// assert!(matches!(pasted(&state, facts), Ok(Pasted::File(_))));
 /// ```
 pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
     let text = text.trim();
-    let link = text.split_once('#').map(|(_, link)| link);
-    if let Some(link) = link.filter(|link| link.starts_with("giveway=")) {
+    let behind = |mark| text.split_once(mark).map(|(_, link)| link);
+    let link = behind("#").or_else(|| behind("%23")).unwrap_or(text);
+    let is_link = link.len() >= "giveway=".len() && link::is_link(link);
+    if is_link && !text.starts_with(['{', '[']) {
         let linked = link::read(link, link::From::Anywhere)?;
-        return Ok(Pasted::Read(Reading::Linked(Box::new(linked))));
+        return Ok(Pasted::Read(Reading::Linked(Box::new(linked.into()))));
     }
-    if let Some(lesson) = link.and_then(|link| link.strip_prefix("lesson=")) {
-        return Ok(Pasted::Read(Reading::Lesson(lesson.to_owned())));
+    if let Some(lesson) = link::lesson(link).filter(|_| link.len() < text.len()) {
+        return Ok(Pasted::Read(Reading::Lesson(lesson)));
     }
     let files = [Opened {
         name: PASTED.text().to_owned(),
@@ -175,12 +181,6 @@ pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
     }];
     if let Some(notice) = larger_than(PASTED.text(), text.len() as u64, MAX_BYTES) {
         return Err(notice);
-    }
-    if !text.contains('\n') && !text.starts_with(['{', '[']) {
-        return Err(refusal(
-            PASTED.text(),
-            tr!("expected a scene, a plan, a map or a link of this page"),
-        ));
     }
     match read_beside(state, &files) {
         Some(read) => read.map(Pasted::Read),
@@ -197,17 +197,11 @@ pub enum Pasted {
     File(Vec<Opened>),
 }
 
-fn text(file: &Opened) -> Result<&str, Notice> {
+fn text(file: &Opened) -> Result<Cow<'_, str>, Notice> {
     if let Some(notice) = larger_than(&file.name, file.bytes.len() as u64, MAX_BYTES) {
         return Err(notice);
     }
     read_text(&file.bytes).map_err(|fault| faulty(&file.name, &[fault]))
-}
-
-fn scene(file: &Opened, text: &str) -> Result<Reading, Notice> {
-    native::read_instance(text)
-        .map(|instance| Reading::Scene(Box::new(named(instance.to_scene(), &file.name))))
-        .map_err(|faults| faulty(&file.name, &faults))
 }
 
 fn kept(file: &Opened, text: &str) -> Result<Reading, Notice> {
@@ -215,7 +209,7 @@ fn kept(file: &Opened, text: &str) -> Result<Reading, Notice> {
         details: notice.details,
         ..refusal(&file.name, "")
     })?;
-    Ok(Reading::Linked(Box::new(linked)))
+    Ok(Reading::Linked(Box::new(linked.into())))
 }
 
 fn map(file: &Opened, text: &str) -> Result<Reading, Notice> {
@@ -261,24 +255,17 @@ fn faulty(file: &str, faults: &[Fault]) -> Notice {
     if let more @ 1.. = faults.len().saturating_sub(TOLD) {
         details.push(tr!("and {n} more fault" | "and {n} more faults" % more));
     }
-    Notice {
-        sentence: tr!("{file} cannot be opened; the scene stays as it is.", file),
+    Notice::refusal(
+        tr!("{file} cannot be opened; the scene stays as it is.", file),
         details,
-    }
+    )
 }
 
 fn refusal(file: &str, why: &str) -> Notice {
-    Notice {
-        sentence: tr!("{file} cannot be opened; the scene stays as it is.", file),
-        details: vec![why.to_owned()],
-    }
-}
-
-fn one_sentence(sentence: String) -> Notice {
-    Notice {
-        sentence,
-        details: Vec::new(),
-    }
+    Notice::refusal(
+        tr!("{file} cannot be opened; the scene stays as it is.", file),
+        vec![why.to_owned()],
+    )
 }
 
 /// A name without folders.

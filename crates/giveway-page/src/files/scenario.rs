@@ -1,6 +1,6 @@
 //! A MovingAI map with a scenario: some hundred agents to choose from.
 
-use giveway_model::format::movingai::{self, Scenario};
+use giveway_formats::movingai::{self, Scenario};
 use giveway_model::{Fault, Grid, Scene, tr};
 
 use super::{Opened, Reading, faulty, stem};

@@ -54,7 +54,7 @@ fn a_broken_scene_is_told_with_file_line_and_column() {
             Fault::at(
                 "",
                 "the unknown key \"mapp\"",
-                "one of giveway, name, map, rules, objective, agents"
+                "one of giveway, name, map, rules, objective, agents, assumptions"
             )
             .in_text(3, 3)
         ),
@@ -111,11 +111,11 @@ fn too_many_files() {
 fn bytes_that_are_no_text() {
     let file = Opened {
         name: "photo.json".to_owned(),
-        bytes: vec![b'{', 0xff, 0xd8],
+        bytes: vec![0xff, 0xd8, 0xff, 0xe0],
     };
     refused(
         &[file],
-        "photo.json, line 1, column 2: found the byte 0xFF, expected text in UTF-8",
+        "photo.json, line 1, column 1: found a picture (JPEG), expected a text: a map, a scenario, an instance or a plan",
     );
 }
 
@@ -163,7 +163,10 @@ fn a_scene_with_its_plan_and_what_changed() {
     let Ok(Reading::Linked(linked)) = read(&all) else {
         panic!("they belong together");
     };
-    let opened = crate::reduce(&state, crate::Action::File(FileAction::OpenLink(linked)));
+    let opened = crate::reduce(
+        &state,
+        crate::Action::File(FileAction::OpenLink(Box::new(linked.linked))),
+    );
     let course = |state: &crate::State| {
         state
             .document

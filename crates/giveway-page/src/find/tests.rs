@@ -10,7 +10,7 @@ fn state() -> State {
     let agent = |n: u32| Agent {
         name: format!("R{n}"),
         start: Cell::new(n - 1, 0),
-        goal: Cell::new(n - 1, 1),
+        goal: Some(Cell::new(n - 1, 1)),
         waypoints: Vec::new(),
         battery: None,
     };

@@ -1,4 +1,4 @@
-//! What must be so: what all best plans have in common with the one on the board, laid
+//! What all best plans have in common with the one on the board, laid
 //! over it.
 
 mod cells;
@@ -181,7 +181,7 @@ impl Freedom {
 }
 
 impl Document {
-    /// What must be so, where it is of the plan that there is.
+    /// What all best plans share, where it is of the plan that there is.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
         let found = self.found_freedom.as_ref()?;
         let is_of = Rc::ptr_eq(&found.about, self.fresh_answer()?);
@@ -228,7 +228,7 @@ pub fn chip(state: &State) -> Chip {
 }
 
 impl State {
-    /// What must be so, where that is laid over the plan; the board has other things to
+    /// What all best plans share, where that is laid over the plan; the board has other things to
     /// show while one looks into how the plan was found.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
         // Asked of every lane: nothing is compared where nothing is laid over the plan.

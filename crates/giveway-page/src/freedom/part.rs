@@ -1,4 +1,4 @@
-//! What must be so of the robot or the cell that is selected: could it be later, must
+//! What all best plans share of the robot or the cell that is selected: could it be later, must
 //! it pass here?
 
 use giveway_model::{Cell, tr};
@@ -25,7 +25,7 @@ pub struct Part {
 /// The most robots that are told of.
 const AGENTS: usize = 4;
 
-/// What must be so of what is selected; `None` where nothing is, or nothing is known
+/// What all best plans share of what is selected; `None` where nothing is, or nothing is known
 /// or could be asked.
 pub fn part(state: &State) -> Option<Part> {
     let part = match (chip(state), state.freedom()) {
@@ -60,7 +60,7 @@ fn asks(state: &State) -> Vec<String> {
         }
         Selection::Cell(cell) => {
             let passes = |(index, agent): (usize, &giveway_model::Agent)| {
-                let must = agent.start == cell || agent.goal == cell;
+                let must = agent.start == cell || agent.goal == Some(cell);
                 let lane = Lane::of(answer, index)?;
                 let passes = lane.steps.iter().any(|step| step.to == cell);
                 let ask = || tr!("Must {agent} pass here?", agent = agent.name);

@@ -1,4 +1,4 @@
-//! What must be so, in sentences.
+//! What all best plans share, in sentences.
 
 use giveway_model::words::Later;
 use giveway_model::words::name;
@@ -11,7 +11,7 @@ use crate::words::grouped;
 use crate::{Mode, State};
 
 /// What it is called.
-pub const TITLE: Later = tr_later!("What must be so");
+pub const TITLE: Later = tr_later!("What all best plans share");
 
 /// Why it cannot be told of the plan on the board; `None` where it can.
 pub(crate) fn refusal(state: &State) -> Option<&'static str> {
@@ -34,9 +34,19 @@ pub(crate) fn refusal(state: &State) -> Option<&'static str> {
     if answer.solved.status == Status::Impossible {
         return Some(tr!("There is no plan, so no best plans to compare."));
     }
+    if document
+        .draft
+        .agents()
+        .iter()
+        .any(|agent| agent.goal.is_none())
+    {
+        return Some(tr!(
+            "Best plans are compared by how robots reach their goals. Give each robot a goal first."
+        ));
+    }
     if answer.course.is_some() {
         return Some(tr!(
-            "The world changes in this plan: this is about plans in one world."
+            "This works for scenes without changes only: the world changes while this plan runs."
         ));
     }
     if document.own_front().is_some() {

@@ -77,7 +77,7 @@ impl Front {
             costs: None,
             bounds: BTreeMap::new(),
             within: self.within,
-            complete: self.within.is_none() && self.status == Status::Impossible,
+            complete: self.told.complete,
             ended: None,
             reason: None,
             plan: None,

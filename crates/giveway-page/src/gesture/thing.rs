@@ -25,7 +25,7 @@ impl Thing {
     /// is selected goes before.
     pub(crate) fn lying(draft: &Draft, cell: Cell, selected: Option<usize>) -> Option<Self> {
         let scene: &Scene = draft.scene();
-        let goal = |agent: &Agent| agent.goal == cell;
+        let goal = |agent: &Agent| agent.goal == Some(cell);
         let waypoint = |agent: &Agent| agent.waypoints.contains(&cell);
         let mine = selected.and_then(|index| match scene.agents.get(index)? {
             who if goal(who) => Some(Self::Goal(index)),

@@ -166,7 +166,7 @@ fn ban(state: &State, constraint: &ToldConstraint) -> Option<Ban> {
     let goal = |agent: &str| {
         let agents = state.document.agents().iter();
         let mut own = agents.filter(|other| other.name == agent);
-        own.next().map(|agent| agent.goal)
+        own.next().and_then(|agent| agent.goal)
     };
     match constraint {
         ToldConstraint::NotAt { agent, cell, time } => {

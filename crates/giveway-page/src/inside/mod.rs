@@ -67,6 +67,15 @@ impl Method {
             Self::Orders => tr!("One by one"),
         }
     }
+
+    /// The entry of the menu that opens it.
+    pub fn entry(self) -> &'static str {
+        match self {
+            Self::Proof => tr!("How it was proved: proof"),
+            Self::Tree => tr!("How it was proved: conflict tree"),
+            Self::Orders => tr!("How it was proved: one by one"),
+        }
+    }
 }
 
 /// What is looked at of how the plan was found.

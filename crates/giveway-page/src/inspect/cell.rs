@@ -51,7 +51,7 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
         let name = &agent.name;
         for (is, what) in [
             (agent.start == cell, tr!("Start")),
-            (agent.goal == cell, tr!("Goal")),
+            (agent.goal == Some(cell), tr!("Goal")),
             (agent.waypoints.contains(&cell), tr!("Waypoint")),
         ] {
             if is {

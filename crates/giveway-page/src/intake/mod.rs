@@ -11,11 +11,12 @@ mod work;
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::Format;
+use giveway_formats::Format;
+use giveway_model::format::read_text;
 use giveway_model::tr;
 
-use crate::State;
-use crate::files::{Opened, scene_file};
+use crate::files::{self, Opened, Saved, plan_file, scene_file};
+use crate::{Mode, State};
 use protocol::{PictureKind, Read, ReportKind, Task};
 
 pub use film::Reader;
@@ -81,7 +82,7 @@ pub enum Save {
     As(Format),
     /// A report of the audit, with a link that opens it.
     Report(ReportKind, String),
-    /// What must be so in every best plan, as far as it is known.
+    /// What all best plans share, as far as it is known.
     Freedom,
     /// The plan that is shown as a picture that moves.
     Picture(PictureKind, giveway_picture::Theme),
@@ -104,6 +105,23 @@ impl Job {
     /// Whether it is a picture, which may take longer than any reading.
     pub fn is_picture(&self) -> bool {
         matches!(&*self.task, Task::Picture { .. })
+    }
+
+    /// What could not be done, as the reader broke off or did not even start.
+    pub(crate) fn crashed(&self, had_started: bool) -> &'static str {
+        match (self.is_reading(), had_started) {
+            (true, true) => {
+                tr!("The reader of other people's files broke off. Your scene is as it was.")
+            }
+            (true, false) => {
+                tr!(
+                    "The file cannot be read here: the reader did not start. Your scene is as it was."
+                )
+            }
+            (false, _) if self.is_picture() => tr!("The moving picture could not be made."),
+            (false, true) => tr!("The file could not be written: its writer broke off."),
+            (false, false) => tr!("The file cannot be written here: its writer did not start."),
+        }
     }
 }
 
@@ -191,6 +209,13 @@ impl Intake {
     }
 }
 
+/// The plan of the scene on the board, around which nothing has changed yet.
+fn running_plan(state: &State) -> Option<Saved> {
+    let answer = state.document.fresh_answer()?;
+    let is_running = answer.course.is_none() && state.document.mode == Mode::Editing;
+    is_running.then(|| plan_file(state)).flatten()
+}
+
 /// What is to be read when files are opened.
 pub(crate) fn read(state: &State, files: Vec<Opened>) -> Read {
     let own = state.own();
@@ -202,6 +227,10 @@ pub(crate) fn read(state: &State, files: Vec<Opened>) -> Read {
         board: has_robots.then(|| Opened {
             name: scene.name,
             bytes: scene.text.into_bytes(),
+        }),
+        plan: running_plan(own).map(|plan| Opened {
+            name: plan.name,
+            bytes: plan.text.into_bytes(),
         }),
         conventions: None,
     }
@@ -234,54 +263,10 @@ fn names(files: &[Opened]) -> String {
 /// ```
 pub fn is_for_reader(state: &State, files: &[Opened]) -> bool {
     let waits = !state.intake.waiting.is_empty();
-    let is_own = |file: &Opened| is_own_json(file) || is_foreign(file);
-    files.iter().any(is_own) || (waits && files.iter().all(is_text))
+    files.iter().any(|file| waits || !is_read_here(file))
 }
 
-/// Whether files are the page's own JSON: a scene, with a plan and changes at most.
-pub(crate) fn are_own(read: &Read) -> bool {
-    let plans = read.files.iter().filter(|file| is_own_plan(file)).count();
-    let any = read.files.iter().any(is_own_json);
-    any && plans <= 1 && read.waiting.is_empty() && !read.files.iter().any(is_foreign)
-}
-
-fn is_own_plan(file: &Opened) -> bool {
-    let text = std::str::from_utf8(&file.bytes).unwrap_or_default();
-    text.contains("\"giveway\"") && text.contains("\"paths\"") && !text.contains("\"map\"")
-}
-
-fn is_text(file: &Opened) -> bool {
-    std::str::from_utf8(&file.bytes).is_ok()
-}
-
-/// Whether a file is JSON of the project's own, or claims to be.
-fn is_own_json(file: &Opened) -> bool {
-    let ending = file.name.rsplit_once('.').map(|(_, ending)| ending);
-    let text = std::str::from_utf8(&file.bytes).unwrap_or_default();
-    let start = text.trim_start_matches('\u{feff}').trim_start();
-    ending == Some("json") || start.starts_with(['{', '['])
-}
-
-/// Whether a file is nothing that the page reads by itself, by a look at it.
-fn is_foreign(file: &Opened) -> bool {
-    let Ok(text) = std::str::from_utf8(&file.bytes) else {
-        return false;
-    };
-    let start = text.trim_start_matches('\u{feff}').trim_start();
-    let ending = file.name.rsplit_once('.').map(|(_, ending)| ending);
-    let has_own_ending = matches!(ending, Some("map" | "scen" | "giveway"));
-    let own = [
-        "type ",
-        "version ",
-        "giveway-kept=",
-        "giveway=",
-        "https:",
-        "http:",
-    ];
-    let is_own = has_own_ending
-        || start.is_empty()
-        || own.iter().any(|own| start.starts_with(own))
-        // Its own JSON says so, and so does what is left of it.
-        || (start.starts_with(['{', '[']) && text.contains("\"giveway\""));
-    !is_own
+fn is_read_here(file: &Opened) -> bool {
+    let text = read_text(&file.bytes);
+    text.is_ok_and(|text| files::is_read_here(&file.name, &text))
 }

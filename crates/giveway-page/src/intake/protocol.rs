@@ -4,9 +4,9 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_formats::{Conventions, ForeignPlan, Format};
 use giveway_model::change::Changes;
-use giveway_model::format::foreign::{Conventions, ForeignPlan, Format};
-use giveway_model::{Cost, Plan, Scene};
+use giveway_model::{Cost, Plan, Question, Scene};
 use giveway_picture::Look;
 use giveway_picture::gif::Shot;
 use giveway_solve::ExportAnswer;
@@ -90,6 +90,8 @@ pub struct Read {
     pub waiting: Vec<Opened>,
     /// The scene on the board, for a plan that names no map.
     pub board: Option<Opened>,
+    /// The plan of that scene, for changes that come alone.
+    pub plan: Option<Opened>,
     /// How plans are to be read, where a person chose that.
     pub conventions: Option<Conventions>,
 }
@@ -175,15 +177,21 @@ pub enum Reply {
     Drawn(String, Vec<u8>),
 }
 
-/// A scene with its plan, and what changed while that ran.
+/// A scene with its plan, what changed while that ran, and a question.
 #[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct Run {
     /// The scene.
     pub scene: Scene,
-    /// The plan.
-    pub plan: Plan,
+    /// The plan; none where a question was read alone.
+    pub plan: Option<Plan>,
     /// What changed.
     pub changes: Option<Changes>,
+    /// What is to change while the plan runs, which it does not know of; all at one time.
+    pub listed: Option<Changes>,
+    /// A question about the plan.
+    pub question: Option<Question>,
+    /// What a person should know, each a sentence.
+    pub notes: Vec<String>,
 }
 
 /// A scene with its plans, as files tell them.

@@ -3,19 +3,16 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::format::foreign::{
-    self, Format, Gathered, Held, Missing, Options, Refused, Source,
-};
-use giveway_model::format::read_text;
+use giveway_formats::{Combined, Format, Held, Missing, Options, Refused, Source};
+use giveway_model::format::{decode, read_text};
 use giveway_model::{Cost, Fault, Instance, Plan, Scene, tr};
 use giveway_proof::bundle::archive::pack;
 use giveway_solve::ExportAnswer;
 
 use super::protocol::{Found, Read, Reply, ReportKind, Run, Task};
-use super::{are_own, is_own_plan};
 use crate::audit::{report, told as told_of};
-use crate::files::{self, Opened, Reading};
-use crate::link::{Linked, kept_moment};
+use crate::files::{self, Opened, Reading, Together};
+use crate::link::kept_moment;
 use crate::{Notice, State};
 
 /// The most faults that are told of one file.
@@ -59,16 +56,17 @@ fn reading(read: Read) -> Reply {
     let options = Options {
         conventions: read.conventions,
         agents: None,
+        ..Options::default()
     };
-    let alone = gathered(&read.files, &options);
+    let alone = combined(&read.files, &options);
     let is_whole = alone.as_ref().is_ok_and(|found| !found.plans.is_empty());
     let mut together = None;
     if !is_whole && !read.waiting.is_empty() {
         let mut files = read.waiting.clone();
         files.extend(read.files.iter().cloned());
-        let joined = gathered(&files, &options);
+        let joined = combined(&files, &options);
         if let Ok(found) = joined.as_ref()
-            && fits(found)
+            && (fits(found) || alone.is_err())
         {
             return reply(joined, &files);
         }
@@ -86,41 +84,81 @@ fn reading(read: Read) -> Reply {
     }
 }
 
-/// Reads the project's own JSON; a plan alone with the scene of the board.
+/// Reads the project's own JSON; what lacks a scene with that of the board.
 fn own(read: Read) -> Reply {
     let mut files = read.files;
-    if let ([file], Some(board)) = (&*files, read.board)
-        && is_own_plan(file)
-    {
+    if let (false, Some(board)) = (files.iter().any(is_scene), read.board) {
+        let are_changes = files.iter().all(are_changes);
         files.insert(0, board);
+        files.extend(read.plan.filter(|_| are_changes));
     }
     match files::read(&files) {
         Ok(Reading::Scene(scene)) => Reply::Found(Box::new(Found {
             scene: *scene,
             plans: Vec::new(),
-            notes: Vec::new(),
+            notes: encodings(&files),
             files,
         })),
-        Ok(Reading::Linked(linked)) => run(&linked).unwrap_or(Reply::Own),
-        // A plan that breaks a rule is audited.
-        Ok(Reading::Illegal(files)) => reply(gathered(&files, &Options::default()), &files),
+        Ok(Reading::Linked(together)) => Reply::Run(Box::new(run(*together, &files))),
+        // A plan that breaks a rule is audited, and so are several plans.
+        Ok(Reading::Illegal(files)) => reply(combined(&files, &Options::default()), &files),
         Ok(Reading::Scenario(_) | Reading::Lesson(_)) => Reply::Own,
-        Err(Notice { sentence, details }) => Reply::Refused(sentence, details),
+        Err(Notice {
+            sentence, details, ..
+        }) => Reply::Refused(sentence, details),
     }
 }
 
+/// Whether files are all JSON of the project's own.
+fn are_own(read: &Read) -> bool {
+    let is_own = |file: &Opened| {
+        read_text(&file.bytes)
+            .is_ok_and(|text| giveway_formats::recognise(&text) == Ok(Format::Giveway))
+    };
+    read.waiting.is_empty() && !read.files.is_empty() && read.files.iter().all(is_own)
+}
+
+/// Whether a file holds a scene of the project's own, or anything that is wrong.
+fn is_scene(file: &Opened) -> bool {
+    let text = read_text(&file.bytes).unwrap_or_default();
+    !matches!(
+        giveway_formats::read(&text),
+        Ok((
+            _,
+            Held::OwnPlan(..) | Held::NoPlan(_) | Held::Changes(_) | Held::Asked(_)
+        ))
+    )
+}
+
+/// Whether a file holds what changes while a plan runs.
+fn are_changes(file: &Opened) -> bool {
+    let text = read_text(&file.bytes).unwrap_or_default();
+    matches!(giveway_formats::read(&text), Ok((_, Held::Changes(_))))
+}
+
 /// What was read, as the page reads it again: it need not trust it.
-fn run(linked: &Linked) -> Option<Reply> {
-    let answer = linked.document.answer.as_ref()?;
-    Some(Reply::Run(Box::new(Run {
+fn run(Together { linked, mut notes }: Together, files: &[Opened]) -> Run {
+    let answer = linked.document.answer.as_ref();
+    let course = answer.and_then(|answer| answer.course.as_ref());
+    notes.extend(encodings(files));
+    Run {
         scene: linked.document.draft.scene().clone(),
-        plan: answer.plan()?.clone(),
-        changes: answer.course.as_ref().map(|course| course.changes.clone()),
-    })))
+        plan: answer.and_then(|answer| answer.plan()).cloned(),
+        changes: course.map(|course| course.changes.clone()),
+        listed: linked.document.mode.changing().map(|it| it.listed()),
+        question: linked.question,
+        notes,
+    }
+}
+
+/// What a person should know of how the bytes of files were read.
+fn encodings(files: &[Opened]) -> Vec<String> {
+    let note = |file: &Opened| decode(&file.bytes).ok()?.1.note(&file.name);
+    files.iter().filter_map(note).collect()
 }
 
 /// Whether at least half of the robots of some plan fit the scene.
-fn fits(found: &Gathered) -> bool {
+fn fits(found: &Combined) -> bool {
     let plans = found.plans.iter();
     plans
         .filter(|plan| plan.format != Format::Giveway)
@@ -129,7 +167,7 @@ fn fits(found: &Gathered) -> bool {
 
 /// Files that lack something: what it is, and what they hold on the board's scene.
 fn lacking(
-    missing: Result<Gathered, Refused>,
+    missing: Result<Combined, Refused>,
     files: Vec<Opened>,
     board: Option<Opened>,
     options: &Options,
@@ -140,47 +178,45 @@ fn lacking(
     let on_board = board.and_then(|board| {
         let mut with = files.clone();
         with.push(board);
-        let found = gathered(&with, options).ok().filter(fits)?;
+        let found = combined(&with, options).ok().filter(fits)?;
         Some(Box::new(told(found, &with)))
     });
     Reply::Missing {
         sentence,
         map: match what {
             Missing::Map(name) => name,
-            Missing::Scenario | Missing::Problem => None,
+            Missing::Scenario | Missing::Problem | Missing::Files(_) => None,
         },
         files,
         on_board,
     }
 }
 
-/// Whether files hold only what the page reads by itself: one scene, a map, a
-/// map with a scenario.
+/// Whether files hold only what the page reads by itself: a map, a map with a scenario.
 fn all_own(files: &[Opened]) -> bool {
     files.iter().all(|file| {
         let text = read_text(&file.bytes).unwrap_or_default();
-        let held = foreign::read(text);
-        held.is_ok_and(|(format, held)| match held {
-            Held::Map(_) | Held::Scenario(_) => true,
-            _ => format == Format::Giveway,
-        })
+        giveway_formats::recognise(&text) == Ok(Format::MovingAi)
     })
 }
 
-fn gathered(files: &[Opened], options: &Options) -> Result<Gathered, Refused> {
-    let mut sources = Vec::with_capacity(files.len());
+fn combined(files: &[Opened], options: &Options) -> Result<Combined, Refused> {
+    let mut texts = Vec::with_capacity(files.len());
     for file in files {
         let text = read_text(&file.bytes).map_err(|fault| Refused::File {
             file: file.name.clone(),
             faults: vec![fault],
         })?;
-        let name = file.name.as_str();
-        sources.push(Source { name, text });
+        texts.push((file.name.as_str(), text));
     }
-    foreign::gather(&sources, options)
+    let sources = texts.iter();
+    let sources: Vec<Source<'_>> = sources.map(|(name, text)| Source { name, text }).collect();
+    let mut combined = giveway_formats::combine(&sources, options)?;
+    combined.notes.extend(encodings(files));
+    Ok(combined)
 }
 
-fn reply(result: Result<Gathered, Refused>, files: &[Opened]) -> Reply {
+fn reply(result: Result<Combined, Refused>, files: &[Opened]) -> Reply {
     match result {
         Ok(found) => Reply::Found(Box::new(told(found, files))),
         Err(Refused::File { file, faults }) => {
@@ -194,7 +230,7 @@ fn reply(result: Result<Gathered, Refused>, files: &[Opened]) -> Reply {
     }
 }
 
-fn told(found: Gathered, files: &[Opened]) -> Found {
+fn told(found: Combined, files: &[Opened]) -> Found {
     Found {
         scene: found.instance.to_scene(),
         plans: found.plans,
@@ -256,7 +292,7 @@ fn writing(format: Format, stem: &str, scene: Scene, plan: Option<&Plan>) -> Rep
         Ok(instance) => instance,
         Err(faults) => return refused(&faults),
     };
-    match foreign::write(format, stem, Some(&instance), plan) {
+    match giveway_formats::write(format, stem, Some(&instance), plan) {
         Ok(written) => Reply::Written(written.files, written.losses),
         Err(fault) => refused(&[fault]),
     }

@@ -71,7 +71,7 @@ pub const HELP: [(Later, &[Row]); 6] = [
             row(&["/"], tr_later!("Find a robot by its name")),
             row(&["F"], tr_later!("Follow the robot selected")),
             row(&["N"], tr_later!("Next conflict (of the robot selected)")),
-            row(&["M"], tr_later!("What must be so in every best plan")),
+            row(&["M"], tr_later!("What all best plans share")),
             row(&["P"], tr_later!("Present: the board full screen")),
             row(&["?"], tr_later!("This list")),
         ],

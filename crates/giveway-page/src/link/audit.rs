@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
+use giveway_formats::link::audit::{self, AuditedPlans};
 use giveway_model::Plan;
-use giveway_model::format::link::audit::{self, Told};
 
 use crate::audit::{Audit, Beside, Dropped};
 use crate::{Answer, Draft};
@@ -12,7 +12,7 @@ use crate::{Answer, Draft};
 pub(super) fn write(about: &Audit, own: Option<&Plan>) -> String {
     let plans = about.plans.iter();
     let chosen = plans.clone().position(|one| Rc::ptr_eq(one, &about.plan));
-    let told = Told {
+    let audited = AuditedPlans {
         files: plans.map(|dropped| dropped.file.clone()).collect(),
         notes: about.notes.clone(),
         chosen: chosen.and_then(|at| u32::try_from(at).ok()).unwrap_or(0),
@@ -22,21 +22,21 @@ pub(super) fn write(about: &Audit, own: Option<&Plan>) -> String {
             Beside::InPlace => 2,
         },
     };
-    audit::write(about.plan.answer.draft.agents(), told, own)
+    audit::write(about.plan.answer.draft.agents(), audited, own)
 }
 
 /// The audit that a text tells; `None` where it is broken.
 pub(super) fn read(draft: &Rc<Draft>, own: Option<&Rc<Answer>>, text: &str) -> Option<Audit> {
     let own = own.and_then(|own| own.plan());
-    let told = audit::read(draft.agents(), own, text)?;
-    let plans = told.files.into_iter();
+    let audited = audit::read(draft.agents(), own, text)?;
+    let plans = audited.files.into_iter();
     let plans = plans.map(|file| Dropped::new(draft, file).map(Rc::new));
     let plans: Vec<Rc<Dropped>> = plans.collect::<Option<_>>()?;
-    let plan = plans.get(told.chosen as usize).cloned()?;
-    let audit = Audit::new(plans, told.notes, Rc::default())?;
+    let plan = plans.get(audited.chosen as usize).cloned()?;
+    let audit = Audit::new(plans, audited.notes, Rc::default())?;
     Some(Audit {
         plan,
-        beside: match told.beside {
+        beside: match audited.beside {
             1 => Beside::Other,
             2 => Beside::InPlace,
             _ => Beside::Nothing,

@@ -13,7 +13,7 @@ const STATUSES: [Status; 4] = [
     Status::Unknown,
 ];
 
-const ENDS: [Ended; 8] = [
+const ENDS: [Ended; 9] = [
     Ended::Proof,
     Ended::Work,
     Ended::Conflicts,
@@ -22,6 +22,7 @@ const ENDS: [Ended; 8] = [
     Ended::Cancelled,
     Ended::Size,
     Ended::Fault,
+    Ended::Assumptions,
 ];
 
 pub(super) fn write(solved: &SolveAnswer) -> String {

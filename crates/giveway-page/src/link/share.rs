@@ -1,6 +1,8 @@
 //! What a person shares: a link or an embed, with the answer or without it, in the
 //! reader's own language or in another one. And the language in an address.
 
+use giveway_model::format::link::seal;
+
 use super::read::is_of_scene;
 
 /// The name of the language in the query of an address.
@@ -17,7 +19,8 @@ const LANGUAGE: &str = "lang=";
 ///     "https://example.org/?lang=de#giveway=1&map=3.3f&plan=2r&time=1"
 /// );
 /// let puzzle = Sharing { hides_answer: true, ..Sharing::default() };
-/// assert_eq!(puzzle.link(whole), "https://example.org/#giveway=1&map=3.3f");
+/// let link = puzzle.link(whole);
+/// assert!(link.starts_with("https://example.org/#giveway=1&check=") && link.ends_with("&map=3.3f"));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sharing {
@@ -40,7 +43,7 @@ impl Sharing {
         link.push('#');
         if self.hides_answer {
             let parts: Vec<&str> = text.split('&').filter(|part| is_of_scene(part)).collect();
-            link + &parts.join("&")
+            link + &seal::write(&parts.join("&"))
         } else {
             link + text
         }
@@ -100,6 +103,29 @@ pub fn without_language(query: &str) -> String {
     }
 }
 
+/// The address of the whole page, from that of an embed.
+///
+/// ```
+/// use giveway_page::link::whole_page;
+/// let embed = "https://example.org/?embed&lang=de#giveway=1";
+/// assert_eq!(whole_page(embed), "https://example.org/?lang=de#giveway=1");
+/// assert_eq!(whole_page("https://example.org/?embed"), "https://example.org/");
+/// ```
+pub fn whole_page(address: &str) -> String {
+    let (page, text) = match address.split_once('#') {
+        Some((page, text)) => (page, format!("#{text}")),
+        None => (address, String::new()),
+    };
+    let (page, query) = page.split_once('?').unwrap_or((page, ""));
+    let others: Vec<&str> = parts(query)
+        .filter(|part| !part.is_empty() && *part != "embed")
+        .collect();
+    let query = if others.is_empty() { "" } else { "?" };
+    format!("{page}{query}{}{text}", others.join("&"))
+}
+
 fn parts(query: &str) -> impl Iterator<Item = &str> {
-    query.trim_start_matches('?').split('&')
+    // Some programs write `&amp;` for `&`.
+    let parts = query.trim_start_matches('?').split('&');
+    parts.map(|part| part.strip_prefix("amp;").unwrap_or(part))
 }

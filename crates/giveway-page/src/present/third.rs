@@ -95,11 +95,11 @@ fn verdict(told: &ExplainAnswer) -> &'static str {
     match (&told.question, told.verdict) {
         (Question::Unsolvable, Verdict::Necessary) => tr!("a verdict, spoken" => "There is none."),
         (Question::Plan, Verdict::Needless) => tr!("a verdict, spoken" => "No plan is better."),
-        (_, Verdict::Needless) => tr!("a verdict, spoken" => "It need not."),
+        (_, Verdict::Needless) => tr!("a verdict, spoken" => "No: another plan avoids it."),
         (_, Verdict::Improvable) => tr!("a verdict, spoken" => "There is a better way."),
         (_, Verdict::Costly) => tr!("a verdict, spoken" => "It would cost more."),
         (_, Verdict::Necessary) => tr!("a verdict, spoken" => "It must."),
-        (_, Verdict::Unknown) => tr!("a verdict, spoken" => "Nobody knows yet."),
+        (_, Verdict::Unknown) => tr!("a verdict, spoken" => "Not known yet."),
     }
 }
 

@@ -52,11 +52,12 @@ pub(crate) fn problems(scene: &Scene, grid: &Grid, faults: &[Fault]) -> Vec<Prob
             let both = What::SameStart([other.clone(), name.clone()], agent.start);
             told.say(agent.start, index, both);
         }
-        if let Some(other) = goals.insert(agent.goal, name)
+        if let Some(goal) = agent.goal
+            && let Some(other) = goals.insert(goal, name)
             && scene.rules.at_goal == AtGoal::Stay
         {
-            let both = What::SameGoal([other.clone(), name.clone()], agent.goal);
-            told.say(agent.goal, index, both);
+            let both = What::SameGoal([other.clone(), name.clone()], goal);
+            told.say(goal, index, both);
         }
         if told.grounds(index, agent, grid) && told.ways(index, agent, &parts) {
             let floor = scene.rules.battery_floor;
@@ -133,7 +134,8 @@ impl Told {
 /// Start, goal, waypoints, each with what it is.
 fn cells(agent: &Agent) -> impl Iterator<Item = (Cell, Part)> + '_ {
     let waypoints = agent.waypoints.iter().map(|&cell| (cell, Part::Waypoint));
-    [(agent.start, Part::Start), (agent.goal, Part::Goal)]
-        .into_iter()
+    let goal = agent.goal.map(|goal| (goal, Part::Goal));
+    std::iter::once((agent.start, Part::Start))
+        .chain(goal)
         .chain(waypoints)
 }

@@ -14,7 +14,7 @@ pub(crate) enum Reach {
         width: u32,
         /// The best level on arrival; `None` where it never comes.
         best: Vec<Option<u32>>,
-        /// The least level from which the goal can be reached.
+        /// The least level from which the goal can be reached, where there is one.
         least: Vec<Option<u32>>,
     },
 }
@@ -56,7 +56,11 @@ pub(crate) fn reach(grid: &Grid, agent: &Agent, floor: u32, steps: &mut usize) -
         floor,
     };
     let best = table.best(agent.start, steps);
-    let least = table.least(agent.goal, steps);
+    let least = match agent.goal {
+        Some(goal) => table.least(goal, steps),
+        // It may rest wherever it is.
+        None => Some(vec![Some(floor); best.as_ref().map_or(0, Vec::len)]),
+    };
     match (best, least) {
         (Some(best), Some(least)) => Reach::Levels {
             width: grid.width(),

@@ -9,7 +9,7 @@ fn scene(rows: &[&str], agents: &[&[(u32, u32)]]) -> Scene {
     let agent = |(index, cells): (usize, &&[(u32, u32)])| Agent {
         name: format!("A{}", index + 1),
         start: cells[0].into(),
-        goal: cells[1].into(),
+        goal: Some(cells[1].into()),
         waypoints: cells[2..].iter().map(|&cell| cell.into()).collect(),
         battery: None,
     };

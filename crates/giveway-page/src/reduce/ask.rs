@@ -94,7 +94,7 @@ pub(super) fn ask(state: &mut State, question: &Question) {
 }
 
 pub(super) fn refuse(state: &mut State, sentence: &str) {
-    state.view.notice = Some(Notice::new(sentence));
+    state.view.notice = Some(Notice::refusal(sentence, Vec::new()));
 }
 
 /// Another mode, as part of the last step: what was asked is no step of its own.

@@ -3,8 +3,10 @@
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::ForeignPlan;
-use giveway_model::{Scene, tr};
+use giveway_formats::ForeignPlan;
+use giveway_model::assumption::left_out;
+use giveway_model::check::check;
+use giveway_model::{Assumption, Costs, Scene, tr};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::document::{amend, put};
@@ -26,7 +28,7 @@ pub(super) fn audit(state: &mut State, action: AuditAction) {
         AuditAction::Show(index) => show(state, &audit, index),
         AuditAction::Next => match conflicts::next(state) {
             Ok(index) => show(state, &audit, index),
-            Err(sentence) => state.view.notice = Some(Notice::new(sentence)),
+            Err(sentence) => state.view.notice = Some(Notice::refusal(sentence, Vec::new())),
         },
         AuditAction::Find => find(state, &audit),
         AuditAction::Compare(on) => beside(state, &audit, compared(on)),
@@ -115,7 +117,10 @@ pub(super) fn open(
             solve::start(state, solve::Start::quiet());
             Ok(())
         }
-        None => Err(Notice::new(tr!("There is no plan in these files."))),
+        None => Err(Notice::refusal(
+            tr!("There is no plan in these files."),
+            Vec::new(),
+        )),
     }
 }
 
@@ -204,6 +209,11 @@ fn choose(state: &mut State, audit: &Audit, index: usize) {
 /// A search is over: what it knows is kept beside the plan.
 pub(super) fn answered(state: &mut State, audit: &Audit, run: Solving, solved: SolveAnswer) {
     let objective = audit.objective();
+    let mut solved = solved;
+    if !is_judged(&run.draft, &solved) || is_beyond_rules(audit, &solved) {
+        (solved.plan, solved.costs) = (None, None);
+        solved.status = Status::Unknown;
+    }
     let solved = match &run.from {
         Some(from) => merged(&from.solved, solved, objective),
         None => solved,
@@ -217,4 +227,31 @@ pub(super) fn answered(state: &mut State, audit: &Audit, run: Solving, solved: S
         after.beside = Beside::InPlace;
     }
     set(state, after);
+}
+
+/// Whether a plan that was found would be shown as a better one, though rules of the file's
+/// problem are left out that nobody judges.
+fn is_beyond_rules(audit: &Audit, solved: &SolveAnswer) -> bool {
+    let scene = audit.plan.answer.draft.scene();
+    let own = audit
+        .plan
+        .answer
+        .solved
+        .costs
+        .filter(|_| audit.plan.is_legal());
+    let is_better = |found: &Costs| {
+        own.is_none_or(|own| found.vector(&scene.objective) < own.vector(&scene.objective))
+    };
+    left_out(&scene.assumptions).is_some() && solved.costs.as_ref().is_some_and(is_better)
+}
+
+/// Whether the judge passes the plan that was found, if any was: the search leaves out
+/// obstacles that move.
+fn is_judged(draft: &Draft, solved: &SolveAnswer) -> bool {
+    let moves = |one: &Assumption| matches!(one, Assumption::MovingObstacle { .. });
+    if !draft.scene().assumptions.iter().any(moves) {
+        return true;
+    }
+    let judged = solved.plan.as_ref().zip(draft.instance().ok());
+    judged.is_none_or(|(plan, instance)| check(instance, plan).is_valid())
 }

@@ -72,7 +72,9 @@ pub(super) fn list(state: &mut State, changing: &Rc<Changing>, edit: &Edit) -> R
     } else if refused.is_some() {
         state.view.playback.stop_at(changing.at);
     }
-    refused.map_or(Ok(()), |sentence| Err(Notice::new(sentence)))
+    refused.map_or(Ok(()), |sentence| {
+        Err(Notice::refusal(sentence, Vec::new()))
+    })
 }
 
 /// Lists the edits of a repair, and asks again how to go on.

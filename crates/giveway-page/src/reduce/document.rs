@@ -161,7 +161,9 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
     let mut after = document.clone();
     let mut sketch = Sketch::of(&document.draft);
     for edit in edits {
-        sketch.make(edit).map_err(Notice::new)?;
+        sketch
+            .make(edit)
+            .map_err(|why| Notice::refusal(why, Vec::new()))?;
         match edit {
             Edit::Within(within) => after.within = *within,
             Edit::Recolour(agent, colour) => after.colours.set(after.looks.of(*agent), *colour),
@@ -174,11 +176,16 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
             _ => {}
         }
     }
-    let scene = sketch.into_scene();
+    let mut scene = sketch.into_scene();
+    if edits.iter().any(Edit::is_afresh) {
+        scene.assumptions.clear();
+    }
     if scene != *document.draft.scene() {
-        let draft = Draft::new(scene).map_err(|faults| Notice {
-            sentence: tr!("This edit cannot be made.").to_owned(),
-            details: faults.iter().map(ToString::to_string).collect(),
+        let draft = Draft::new(scene).map_err(|faults| {
+            Notice::refusal(
+                tr!("This edit cannot be made."),
+                faults.iter().map(ToString::to_string).collect(),
+            )
         })?;
         after.set_draft(draft);
     }
@@ -191,7 +198,14 @@ impl Document {
     pub(super) fn set_draft(&mut self, draft: Draft) {
         self.looks = self.looks.after(self.draft.agents(), draft.agents());
         self.draft = Rc::new(draft);
-        self.leave_audit();
+        match self.mode.audit().and_then(|audit| audit.on(&self.draft)) {
+            Some(audit) => {
+                let legal = audit.plan.is_legal();
+                self.answer = legal.then(|| Rc::clone(&audit.plan.answer));
+                self.mode = Mode::Auditing(Rc::new(audit));
+            }
+            None => self.leave_audit(),
+        }
         if self.is_stale() || self.answer.is_none() {
             self.mode = self.mode.unasked();
         }
@@ -209,6 +223,11 @@ impl Document {
 
 /// After an edit as a whole.
 pub(super) fn solve_on_change(state: &mut State) {
+    // A plan of elsewhere was judged anew, by other rules.
+    let is_new = |audit: &Rc<crate::audit::Audit>| audit.ours.is_none();
+    if state.lesson().is_none() && state.audit().is_some_and(is_new) {
+        return solve::start(state, solve::Start::quiet());
+    }
     // A lesson asks the solver by itself.
     let is_own = state.lesson().is_none() && state.document.mode == Mode::Editing;
     let is_wanted = state.settings.solve_on_change && is_own;

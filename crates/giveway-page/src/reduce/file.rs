@@ -8,7 +8,7 @@ use super::document::{drop_gesture, put, settle, travel};
 use super::{ask, solve, stroke};
 use crate::link::{Linked, Source};
 use crate::state::{By, Displaced};
-use crate::{Document, Draft, FileAction, Moment, Notice, Selection, State, Tool};
+use crate::{Document, Draft, FileAction, Moment, Notice, Selection, State, Tab, Tool};
 
 /// A scene of more agents opens without the plan table.
 const MANY: usize = 6;
@@ -18,9 +18,17 @@ pub(super) fn file(state: &mut State, action: FileAction) {
         FileAction::Open(scene) => open(state, *scene),
         FileAction::OpenLink(linked) => open_link(state, *linked),
         FileAction::Back => back(state),
-        FileAction::Keep => state.displaced = None,
+        FileAction::Keep => {
+            state.displaced = None;
+            state.view.waiting.refused = false;
+            state.view.waiting.unchecked = false;
+        }
         FileAction::Resume(moment) => resume(state, *moment),
         FileAction::Refuse(notice) => state.view.notice = Some(notice),
+        FileAction::RefuseLink(notice) => {
+            state.view.notice = Some(notice);
+            state.view.waiting.refused = state.is_embedded();
+        }
     }
 }
 
@@ -37,9 +45,11 @@ pub(super) fn open(state: &mut State, scene: Scene) {
 /// # Errors
 /// Why it cannot.
 pub(super) fn drafted(scene: Scene) -> Result<Draft, Notice> {
-    let refused = |faults: &[Fault]| Notice {
-        sentence: tr!("The scene cannot be opened.").to_owned(),
-        details: faults.iter().map(ToString::to_string).collect(),
+    let refused = |faults: &[Fault]| {
+        Notice::refusal(
+            tr!("The scene cannot be opened."),
+            faults.iter().map(ToString::to_string).collect(),
+        )
     };
     let draft = Draft::new(scene).map_err(|faults| refused(&faults))?;
     draft.instance().map_err(refused)?;
@@ -55,8 +65,11 @@ fn open_link(state: &mut State, linked: Linked) {
         moment: Rc::new(state.moment()),
         by: By::Link,
     });
+    let was_impossible = linked.was_impossible;
     replace(state, linked.document);
     state.displaced = displaced;
+    state.view.waiting.refused = false;
+    state.view.waiting.unchecked = !linked.is_checked;
     state
         .view
         .playback
@@ -65,11 +78,15 @@ fn open_link(state: &mut State, linked: Linked) {
     // What was adopted goes with its changes: the scene alone says nothing of it.
     let answer = state.document.answer.as_deref();
     let is_course = answer.is_some_and(|answer| answer.course.is_some());
+    if state.document.mode.changing().is_some() {
+        state.view.tab = Tab::Inspector;
+    }
     match linked.question {
         Some(question) if has_plan || state.document.answer.is_some() => ask::ask(state, &question),
         question => {
-            let is_unproved = has_plan && solve::is_small(&state.document) && !is_course;
-            if question.is_some() || is_unproved || state.audit().is_some() {
+            let is_alone = !is_course && state.document.mode.changing().is_none();
+            let is_unproved = has_plan && solve::is_small(&state.document) && is_alone;
+            if question.is_some() || is_unproved || state.audit().is_some() || was_impossible {
                 solve::start(state, solve::Start::of_link(question));
             }
         }

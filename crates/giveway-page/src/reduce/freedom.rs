@@ -1,4 +1,4 @@
-//! What must be so: asked of the plan on the board, laid over it, and what closing a
+//! What all best plans share: asked of the plan on the board, laid over it, and what closing a
 //! cell comes to.
 
 use std::rc::Rc;

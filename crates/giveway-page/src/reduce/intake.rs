@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::format::foreign::{Conventions, Format};
+use giveway_formats::{Conventions, Format};
 use giveway_model::{Plan, tr};
 use giveway_picture::Look;
 
@@ -12,8 +12,8 @@ use crate::action::IntakeAction;
 use crate::files::{self, Opened};
 use crate::intake::protocol::{Found, PictureKind, Read, Reply, Run, Task};
 use crate::intake::{self, Job, Packed, Save, Written, beside};
-use crate::link::{self, keep_moment};
-use crate::{FileAction, Notice, State, certificate};
+use crate::link::{self, Linked, Source, keep_moment};
+use crate::{Document, FileAction, Notice, State, certificate};
 
 /// The longest sides of pictures that move, in pixels: a GIF has many frames.
 const LONGEST_SVG: u32 = 2048;
@@ -41,18 +41,15 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
                 }
             }
         }
-        IntakeAction::Crash { job, sentence } => {
-            if state.intake.at(job).is_some() {
-                let job = state.intake.end();
-                let told = if job.is_some_and(|job| job.is_picture()) {
-                    tr!("The moving picture could not be made.")
-                } else {
-                    tr!("The reader of other people's files broke off. Your scene is as it was.")
-                };
-                state.view.notice = Some(Notice {
-                    sentence: told.to_owned(),
-                    details: vec![sentence],
-                });
+        IntakeAction::Crash {
+            job,
+            had_started,
+            details,
+        } => {
+            if state.intake.at(job).is_some()
+                && let Some(job) = state.intake.end()
+            {
+                state.view.notice = Some(Notice::refusal(job.crashed(had_started), details));
             }
         }
         IntakeAction::Save(what) => save(state, what),
@@ -74,9 +71,10 @@ pub(super) fn begin(state: &mut State, task: Task) {
 /// Reads files again, by conventions that a person chose.
 pub(super) fn read_as(state: &mut State, files: Vec<Opened>, conventions: Conventions) {
     if files.is_empty() {
-        state.view.notice = Some(Notice::new(tr!(
-            "The browser does not keep the file. Open it again to read it in another way."
-        )));
+        state.view.notice = Some(Notice::refusal(
+            tr!("The browser does not keep the file. Open it again to read it in another way."),
+            Vec::new(),
+        ));
         return;
     }
     let read = Read {
@@ -184,10 +182,10 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
                 return opened(state, *found);
             }
             state.intake.wait(files);
-            state.view.notice = Some(Notice {
-                sentence: tr!("One file more is needed.").to_owned(),
-                details: vec![sentence],
-            });
+            state.view.notice = Some(Notice::information(
+                tr!("One file more is needed."),
+                vec![sentence],
+            ));
         }
         Reply::Refused(sentence, details) => written_or_told(state, &job, sentence, details),
         Reply::Packed(bytes) => packed(state, &job, bytes),
@@ -214,24 +212,44 @@ fn packed(state: &mut State, job: &Job, bytes: Vec<u8>) {
     }
 }
 
-/// A scene with its plan, and what changed, was read: the plan is judged.
+/// A scene with its plan, what changed and a question was read: the plan is judged.
 fn ran(state: &mut State, run: Run) {
     let Run {
         scene,
         plan,
         changes,
+        listed,
+        question,
+        notes,
     } = run;
     state.intake.wait(Vec::new());
-    let linked = file::drafted(scene).and_then(|draft| {
-        link::judged(draft, plan, changes).map_err(|why| Notice {
-            sentence: tr!("The plan cannot be opened; the scene stays as it is.").to_owned(),
-            details: vec![why],
-        })
+    let linked = file::drafted(scene).and_then(|draft| match plan {
+        None => Ok(Linked {
+            document: Document::new(draft),
+            time: 0,
+            question: None,
+            source: Source::File,
+            was_impossible: false,
+            is_checked: true,
+        }),
+        Some(plan) => match listed {
+            None => link::judged(draft, plan, changes),
+            Some(listed) => link::changing(draft, plan, &listed),
+        }
+        .map_err(|why| {
+            Notice::refusal(
+                tr!("The plan cannot be opened; the scene stays as it is."),
+                vec![why],
+            )
+        }),
     });
     let action = linked.map_or_else(FileAction::Refuse, |linked| {
-        FileAction::OpenLink(Box::new(linked))
+        FileAction::OpenLink(Box::new(Linked { question, ..linked }))
     });
     file::file(state, action);
+    if state.view.notice.is_none() && !notes.is_empty() {
+        state.view.notice = Some(Notice::information(tr!("The files were read."), notes));
+    }
 }
 
 /// What cannot be read is told as a notice, what cannot be written where it was asked.
@@ -244,7 +262,7 @@ fn written_or_told(state: &mut State, job: &Job, sentence: String, details: Vec<
         }));
         return;
     }
-    state.view.notice = Some(Notice { sentence, details });
+    state.view.notice = Some(Notice::refusal(sentence, details));
 }
 
 /// A scene with its plans was read.
@@ -259,10 +277,7 @@ fn opened(state: &mut State, found: Found) {
     if plans.is_empty() {
         file::open(state, scene);
         if state.view.notice.is_none() && !notes.is_empty() {
-            state.view.notice = Some(Notice {
-                sentence: tr!("The scene was read.").to_owned(),
-                details: notes,
-            });
+            state.view.notice = Some(Notice::information(tr!("The scene was read."), notes));
         }
         return;
     }

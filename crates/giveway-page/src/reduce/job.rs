@@ -89,14 +89,14 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     if let Task::Freedom(_) = task {
         freedom::refused(state);
     }
-    state.view.notice = Some(Notice {
-        sentence: sentence.to_owned(),
-        details: match refusal {
+    state.view.notice = Some(Notice::refusal(
+        sentence,
+        match refusal {
             // What can be asked, as a sentence: nobody types it here.
             Refusal::Question { misfit } => vec![misfit.in_sentences()],
             other => other.sentences(),
         },
-    });
+    ));
 }
 
 /// The worker broke off, or did not even start.
@@ -115,8 +115,5 @@ pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: b
             "The part of the solver that answers could not be loaded. Try again when the network is back."
         )
     };
-    state.view.notice = Some(Notice {
-        sentence: what.to_owned(),
-        details: vec![sentence],
-    });
+    state.view.notice = Some(Notice::refusal(what, vec![sentence]));
 }

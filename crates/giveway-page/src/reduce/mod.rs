@@ -97,7 +97,10 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         Action::View(action) => !matches!(action, ViewAction::Present(_)),
         Action::Play(_) => true,
         Action::Board(action) => matches!(action, BoardAction::StepCursor { carries: false, .. }),
-        Action::File(action) => matches!(action, FileAction::OpenLink(_) | FileAction::Refuse(_)),
+        Action::File(action) => matches!(
+            action,
+            FileAction::OpenLink(_) | FileAction::Refuse(_) | FileAction::RefuseLink(_)
+        ),
         Action::Solve(action) => matches!(
             action,
             SolveAction::Cancel

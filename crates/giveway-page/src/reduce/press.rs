@@ -91,7 +91,7 @@ fn press_agent(state: &mut State, cell: Cell) {
 fn press_goal(state: &mut State, cell: Cell) {
     let agents = state.document.draft.agents();
     let chosen = state.selected_agent().or((agents.len() == 1).then_some(0));
-    let other = agents.iter().position(|agent| agent.goal == cell);
+    let other = agents.iter().position(|agent| agent.goal == Some(cell));
     let start = agents.iter().position(|agent| agent.start == cell);
     match (other, chosen) {
         (Some(agent), _) => choose(state, agent, Thing::Goal(agent), cell),
@@ -120,7 +120,7 @@ fn press_waypoint(state: &mut State, cell: Cell) {
         choose(state, agent, Thing::NewWaypoint(agent), cell);
         return stroke::drag(state, cell);
     }
-    let is = |agent: &Agent| agent.goal == cell || agent.start == cell;
+    let is = |agent: &Agent| agent.goal == Some(cell) || agent.start == cell;
     if let Some(agent) = agents.iter().position(has) {
         choose(state, agent, Thing::Waypoint(agent), cell);
     } else if let Some(agent) = agents.iter().position(is) {

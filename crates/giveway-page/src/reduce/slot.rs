@@ -35,7 +35,7 @@ pub(super) fn slot(state: &mut State, action: SlotAction) {
             waiting.unkept = None;
             waiting.other = None;
         }
-        SlotAction::Close => waiting.welcome = false,
+        SlotAction::Close => waiting.go_on(),
     }
 }
 

@@ -16,13 +16,13 @@ pub(super) fn is_in_the_way(state: &mut State) -> bool {
         return false;
     };
     let name = own.name();
-    state.view.notice = Some(Notice {
-        sentence: tr!(
+    state.view.notice = Some(Notice::refusal(
+        tr!(
             "You lead {name} by hand. Discard your plan before you do this.",
             name
         ),
-        details: vec![tr!("Undo brings it back.").to_owned()],
-    });
+        vec![tr!("Undo brings it back.").to_owned()],
+    ));
     true
 }
 

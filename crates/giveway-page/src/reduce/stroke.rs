@@ -62,10 +62,13 @@ fn finish(state: &mut State, stroke: Stroke) {
         }
     }
     if is_idle {
-        state.view.notice = Some(Notice::new(tr!("There is nothing to erase here.")));
+        state.view.notice = Some(Notice::information(
+            tr!("There is nothing to erase here."),
+            Vec::new(),
+        ));
     }
     if let Some(refused) = stroke.refused {
-        state.view.notice = Some(Notice::new(refused));
+        state.view.notice = Some(Notice::refusal(refused, Vec::new()));
     }
 }
 
@@ -83,10 +86,10 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
             solve_on_change(state);
         }
         Err(faults) => {
-            state.view.notice = Some(Notice {
-                sentence: tr!("This edit cannot be made.").to_owned(),
-                details: faults.iter().map(ToString::to_string).collect(),
-            });
+            state.view.notice = Some(Notice::refusal(
+                tr!("This edit cannot be made."),
+                faults.iter().map(ToString::to_string).collect(),
+            ));
         }
     }
 }
@@ -96,7 +99,7 @@ fn place(state: &mut State, Placing { start, goal, .. }: Placing) {
     let agent = Agent {
         name: state.next_name(),
         start,
-        goal,
+        goal: Some(goal),
         waypoints: Vec::new(),
         battery: None,
     };

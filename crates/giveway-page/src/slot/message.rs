@@ -30,6 +30,8 @@ pub enum Kind {
     Kept,
     /// Something was changed.
     Changed,
+    /// A link of which nobody can see whether all of it arrived.
+    Unchecked,
     /// A first visit.
     Welcome,
 }
@@ -38,7 +40,7 @@ impl Kind {
     /// The icon beside it, if it has one.
     pub const fn icon(self) -> Option<&'static str> {
         match self {
-            Self::Alert => Some("warning"),
+            Self::Alert | Self::Unchecked => Some("warning"),
             Self::Kept | Self::Changed => Some("kept"),
             Self::Welcome => None,
         }

@@ -19,7 +19,7 @@ use giveway_model::tr;
 use message::button;
 
 /// What is to be said now, if there is anything: kept data first, then a link, then
-/// another tab, and last a welcome.
+/// another tab, a link that cannot be checked, and last a welcome.
 pub fn message(state: &State) -> Option<Message> {
     let waiting = &state.view.waiting;
     if state.is_embedded() {
@@ -31,6 +31,7 @@ pub fn message(state: &State) -> Option<Message> {
     lost.or_else(unkept)
         .or_else(|| displaced(state))
         .or_else(other)
+        .or_else(|| waiting.unchecked.then(|| unchecked(state)))
         .or_else(|| waiting.welcome.then(welcome::message))
 }
 
@@ -102,7 +103,7 @@ fn unkept(why: Unkept) -> Message {
 fn displaced(state: &State) -> Option<Message> {
     let displaced = state.displaced.as_ref()?;
     let name = quoted(&displaced.moment.document.draft);
-    let (title, text) = match displaced.by {
+    let (title, mut text) = match displaced.by {
         By::Link => (
             tr!("Your own scene is kept"),
             tr!(
@@ -118,6 +119,10 @@ fn displaced(state: &State) -> Option<Message> {
             ),
         ),
     };
+    if state.view.waiting.unchecked {
+        text.push(' ');
+        text += &no_check(state);
+    }
     let back = Press::Act(Box::new(Action::File(FileAction::Back)));
     Some(Message {
         kind: Kind::Kept,
@@ -127,6 +132,27 @@ fn displaced(state: &State) -> Option<Message> {
         buttons: vec![button(tr!("Back to it"), Some("back"), back)],
         close: Some(Action::File(FileAction::Keep)),
     })
+}
+
+fn unchecked(state: &State) -> Message {
+    Message {
+        kind: Kind::Unchecked,
+        title: tr!("Is this the whole link?"),
+        text: no_check(state),
+        boards: None,
+        buttons: Vec::new(),
+        close: Some(Action::Slot(SlotAction::Close)),
+    }
+}
+
+/// What is known of a link without a check.
+fn no_check(state: &State) -> String {
+    let robots = tr!("{n} robot" | "{n} robots" % state.document.draft.agents().len());
+    tr!(
+        "The link is of an earlier version and carries no check sum, so the page cannot see \
+         whether it was cut. {robots} arrived.",
+        robots
+    )
 }
 
 fn elsewhere(state: &State, other: &Other) -> Message {

@@ -37,6 +37,10 @@ pub struct Waiting {
     pub unkept: Option<Unkept>,
     /// What another tab did.
     pub other: Option<Other>,
+    /// A link without a check was opened: nobody can see whether it was cut.
+    pub unchecked: bool,
+    /// The link inside another page was refused: nothing else is shown there.
+    pub refused: bool,
     /// It is a first visit, and nobody has done anything yet.
     pub welcome: bool,
     /// The tabs that a person does not want to hear of.
@@ -48,6 +52,7 @@ impl Waiting {
     /// did to the one before is old news.
     pub(crate) fn go_on(&mut self) {
         self.welcome = false;
+        self.unchecked = false;
         if let Some(Other::Taken { .. }) = self.other {
             self.other = None;
         }

@@ -1,5 +1,6 @@
 //! What is said on a first visit: what this page is, and three ways on.
 
+use giveway_course::learner::NEXT;
 use giveway_course::tour::NAME;
 use giveway_model::tr;
 
@@ -22,7 +23,7 @@ pub(super) fn message() -> Message {
                 weight: Weight::Filled,
                 ..button(tr!("Take the tour"), Some("play"), Press::Learn(NAME))
             },
-            button(tr!("Start the course"), Some("course"), Press::Learn("")),
+            button(tr!("Start the course"), Some("course"), Press::Learn(NEXT)),
             Button {
                 weight: Weight::Quiet,
                 ..button(

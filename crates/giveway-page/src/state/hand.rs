@@ -74,7 +74,8 @@ impl State {
             return None;
         }
         let mut agents = world.agents().iter().enumerate();
-        let goal = agents.position(|(index, agent)| self.is_there(index) && agent.goal == cell);
+        let goal =
+            agents.position(|(index, agent)| self.is_there(index) && agent.goal == Some(cell));
         goal.map(Thing::Goal)
             .or_else(|| Thing::painted(world, cell))
     }

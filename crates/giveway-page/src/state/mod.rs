@@ -16,7 +16,7 @@ use crate::lesson::Lesson;
 use crate::{Document, Draft, History, Place, Selection, Settings, View, Work};
 
 pub use displaced::{By, Displaced};
-pub use notice::Notice;
+pub use notice::{Notice, NoticeKind};
 
 /// All that the page shows. Plain data: two equal states look the same.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::Plan;
+use giveway_model::{Costs, Plan};
 
 use crate::audit::Beside;
 use crate::planners::Runs;
@@ -107,6 +107,21 @@ impl State {
             || answer.agents().is_empty()
             || agents.any(|agent| answer.agent(draft, agent).is_some());
         has_part.then_some(answer)
+    }
+
+    /// The costs of the plan that plays while a search goes on; those of the best plan so far
+    /// where none plays.
+    pub(crate) fn playing_costs(&self) -> Option<Costs> {
+        let playing = self.playing().filter(|_| !self.shows_stale());
+        let playing = playing.and_then(|answer| answer.solved.costs);
+        playing.or_else(|| self.work.solving()?.best)
+    }
+
+    /// The same, where the search knows a better plan already: that one comes to the board
+    /// when no robot would jump.
+    pub(crate) fn playing_before_best(&self) -> Option<Costs> {
+        let best = self.work.solving()?.best?;
+        self.playing_costs().filter(|&playing| playing != best)
     }
 
     /// The last time that can be shown, in steps.

@@ -93,7 +93,8 @@ impl Steering {
         let who = scene.agents.get(agent)?;
         let end = end(scene, &plan, agent, time)?;
         let path = plan.paths.get_mut(&who.name)?;
-        path.resize(end + 1, Some(who.goal));
+        let rest = who.goal.or_else(|| path.last().copied().flatten());
+        path.resize(end + 1, rest);
         let end = u32::try_from(end).ok()?;
         if let Some(charges) = plan.charges.get_mut(&who.name) {
             charges.retain(|&charge| charge < end);
@@ -185,9 +186,9 @@ fn end(scene: &Scene, plan: &Plan, agent: usize, time: u32) -> Option<usize> {
         let rest = path.get(time..)?;
         return Some(time + rest.iter().position(Option::is_some)?);
     }
-    if path.last() != Some(&Some(who.goal)) {
+    if who.goal.is_some() && path.last() != Some(&who.goal) {
         // Not led further so far: it goes on from where it is.
         return Some(last);
     }
-    (scene.rules.at_goal == AtGoal::Stay).then_some(time)
+    (scene.rules.at_end_of(who) == AtGoal::Stay).then_some(time)
 }

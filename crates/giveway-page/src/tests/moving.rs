@@ -146,8 +146,11 @@ fn it_is_cancelled_as_all_else() {
 
 #[test]
 fn a_reader_that_breaks_off_says_which_it_was() {
-    let sentence = "out of memory".to_owned();
-    let crash = IntakeAction::Crash { job: 1, sentence };
+    let crash = IntakeAction::Crash {
+        job: 1,
+        had_started: true,
+        details: vec!["out of memory".to_owned()],
+    };
     let state = reduce(&begun(PictureKind::Gif), Action::Intake(crash));
     let notice = state.view.notice.unwrap();
     assert_eq!(notice.sentence, "The moving picture could not be made.");

@@ -18,7 +18,7 @@ pub(super) fn page(map: &[&str], costs: &[Cost]) -> State {
         Some(Agent {
             name: goal.to_string(),
             start: find(letter)?,
-            goal: find(goal)?,
+            goal: Some(find(goal)?),
             waypoints: Vec::new(),
             battery: None,
         })

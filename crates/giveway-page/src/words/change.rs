@@ -22,10 +22,15 @@ use crate::{Adapting, Answer};
 pub fn sentence(what: &What) -> (String, Option<String>) {
     let told = match what {
         What::AddAgent { agent } => {
-            let goal = at(agent.goal);
-            let detail = match agent.waypoints.as_slice() {
-                [] => tr!("goal {goal}", goal),
-                waypoints => tr!(
+            let goal = agent.goal.map(at);
+            let detail = match (goal, agent.waypoints.as_slice()) {
+                (None, []) => tr!("rests anywhere").to_owned(),
+                (None, waypoints) => tr!(
+                    "rests anywhere, by way of {cells}",
+                    cells = cells(waypoints)
+                ),
+                (Some(goal), []) => tr!("goal {goal}", goal),
+                (Some(goal), waypoints) => tr!(
                     "goal {goal}, by way of {cells}",
                     goal,
                     cells = cells(waypoints)

@@ -24,7 +24,7 @@ fn scene(name: &str) -> Scene {
     let agent = Agent {
         name: "A1".to_owned(),
         start: Cell::new(0, 0),
-        goal: Cell::new(3, 0),
+        goal: Some(Cell::new(3, 0)),
         waypoints: Vec::new(),
         battery: None,
     };

@@ -142,7 +142,7 @@ fn differences_are_told_in_one_sentence() {
     two.agents.push(Agent {
         name: "A2".to_owned(),
         start: Cell::new(0, 1),
-        goal: Cell::new(3, 1),
+        goal: Some(Cell::new(3, 1)),
         waypoints: Vec::new(),
         battery: None,
     });

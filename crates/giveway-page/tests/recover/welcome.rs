@@ -1,5 +1,6 @@
 //! A first visit is welcomed once, and never in the way.
 
+use giveway_course::learner::NEXT;
 use giveway_course::port::ToPage;
 use giveway_course::tour;
 use giveway_page::keys::{Command, Key, command};
@@ -32,7 +33,7 @@ fn it_offers_three_ways_and_one_of_them_first() {
     );
     let opens = |index: usize| told.buttons[index].press.clone();
     assert_eq!(opens(0), Press::Learn("tour"));
-    assert_eq!(opens(1), Press::Learn(""));
+    assert_eq!(opens(1), Press::Learn(NEXT), "the first lesson");
 }
 
 #[test]

@@ -9,10 +9,14 @@ use crate::letters::Anchor;
 use crate::xml::{Escaped, Number};
 use crate::{Badge, CELL, Detail, Ink, Pose, Track, corner, form};
 
+/// The least radius of a robot on a large map, in pixels: it is seen, though it is larger
+/// than its cell.
+const LEAST_RADIUS_PX: f64 = 3.0;
 /// The circumference of a battery's ring, in units.
 const RING: f64 = 226.2;
 const BOLT: &str = "M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z";
 const PAUSE: &str = "M-4-6V6M4-6V6";
+const CROSS: &str = "M-6-6 6 6M6-6-6 6";
 
 impl Stage {
     /// The capsules of slow moves, and the agents above them.
@@ -58,7 +62,14 @@ impl Stage {
         );
         let (fill, on) = self.robot(agent);
         match self.detail {
-            Detail::Dots => push(svg, format_args!("<circle r=\"38\" fill=\"{fill}\"/>")),
+            Detail::Dots => {
+                let least = CELL * LEAST_RADIUS_PX / f64::from(self.look.cell.max(1));
+                let radius = Number(least.max(38.0));
+                push(
+                    svg,
+                    format_args!("<circle r=\"{radius}\" fill=\"{fill}\"/>"),
+                );
+            }
             Detail::Forms => {
                 svg.push_str("<g transform=\"scale(1.35)\">");
                 shape(self.looks[agent], fill, on, svg);
@@ -138,11 +149,11 @@ impl Stage {
         let own = &self.instance.agents()[agent];
         push(svg, format_args!("<title>{}</title>", Escaped(&own.name)));
         shape(self.looks[agent], fill, on, svg);
-        let short = form::short_name(&own.name);
-        let is_long = form::is_long(&short);
+        let short = &self.badges[agent];
+        let is_long = form::is_long(short);
         let (y, size) = if is_long { (6.5, 18.0) } else { (8.6, 24.0) };
         let label = Label {
-            word: &short,
+            word: short,
             at: (0.0, y),
             size,
             anchor: Anchor::Middle,
@@ -155,6 +166,7 @@ impl Stage {
         svg.push_str("</g>");
         self.badge(Badge::Charges, track, pose, when, svg);
         self.badge(Badge::Waits, track, pose, when, svg);
+        self.badge(Badge::Broken, track, pose, when, svg);
     }
 
     fn badge(
@@ -181,6 +193,13 @@ impl Stage {
                 inks.wait,
                 format!(
                     "d=\"{PAUSE}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
+                    inks.floor
+                ),
+            ),
+            Badge::Broken => (
+                inks.danger,
+                format!(
+                    "d=\"{CROSS}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
                     inks.floor
                 ),
             ),

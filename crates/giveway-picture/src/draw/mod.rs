@@ -8,6 +8,7 @@ mod keys;
 mod label;
 mod marks;
 mod motion;
+mod numbers;
 mod sheet;
 mod stage;
 mod time;

@@ -5,7 +5,7 @@ use giveway_model::{Agent, Instance, Plan};
 
 use crate::ink::{Ink, Inks, robot};
 use crate::xml::{Escaped, Number};
-use crate::{Detail, Look, Mark, Track, Way, marks};
+use crate::{Detail, Letters, Look, Mark, Track, Way, form, letters, marks_with};
 
 use super::motion::{Motion, When};
 use super::sheet::Sheet;
@@ -22,6 +22,8 @@ pub(crate) struct Stage {
     pub(crate) tracks: Vec<Track>,
     pub(super) ways: Vec<Way>,
     pub(super) marks: Vec<Mark>,
+    /// What stands on the form of each agent.
+    pub(super) badges: Vec<String>,
     /// The last time at which something happens.
     pub(crate) steps: u32,
     /// What ids and classes begin with: other pictures of the same page have other ones.
@@ -33,6 +35,9 @@ impl Stage {
         let agents = instance.agents();
         let track = |(index, agent): (usize, &Agent)| track(instance, plan, index, agent);
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
+        let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
+        let is_drawn = |letter| look.letters == Letters::Text || letters::is_drawn(letter);
+        let badges = form::badges(&names, is_drawn);
         let steps = tracks.iter().map(Track::arrival).max().unwrap_or(0);
         Self {
             instance: instance.clone(),
@@ -42,7 +47,8 @@ impl Stage {
             detail: Detail::of(f64::from(look.cell)),
             sheet: Sheet::new(instance.grid(), look.cell),
             ways: Way::of_all(&tracks),
-            marks: marks(agents, &tracks),
+            marks: marks_with(agents, &tracks, &badges),
+            badges,
             tracks,
             steps,
             prefix: prefix(instance, plan, look),
@@ -57,6 +63,12 @@ impl Stage {
     /// All that is not always the same, at a time.
     pub(crate) fn at(&self, time: f64) -> String {
         self.all(&mut When::At(time))
+    }
+
+    /// The same without the line of the time.
+    pub(crate) fn things_at(&self, time: f64) -> String {
+        let mut when = When::At(time);
+        [self.agents(&mut when), self.flags(&mut when)].concat()
     }
 
     /// The same as it moves.
@@ -118,7 +130,7 @@ fn track(instance: &Instance, plan: &Plan, index: usize, agent: &Agent) -> Track
     });
     let from = plan.from.get(name).copied().unwrap_or(0);
     let until = plan.until.get(name).copied();
-    Track::new(path, charges, battery, instance.rules().at_goal).between(from, until)
+    Track::new(path, charges, battery, instance.rules().at_end_of(agent)).between(from, until)
 }
 
 /// A short name by what is drawn (FNV-1a): the same picture has the same one.

@@ -45,7 +45,10 @@ impl Stage {
         self.each(&mut words, |agent| {
             let own = &self.instance.agents()[agent];
             let arrival = self.tracks[agent].arrival();
-            let (from, to) = (written(own.start), written(own.goal));
+            let to = own
+                .goal
+                .or_else(|| self.tracks[agent].path().last().copied().flatten());
+            let (from, to) = (written(own.start), written(to.unwrap_or(own.start)));
             format!(" goes from {from} to {to} by step {arrival}")
         });
         words

@@ -27,6 +27,9 @@ pub struct Track {
     from: u32,
     /// From when on it is gone, where it is removed.
     until: Option<u32>,
+    /// Its breakdowns: it begins no move from the first time up to, not including, the
+    /// second.
+    breakdowns: Vec<(u32, u32)>,
 }
 
 impl Track {
@@ -47,6 +50,7 @@ impl Track {
             vanishes: at_goal == AtGoal::Vanish,
             from: 0,
             until: None,
+            breakdowns: Vec::new(),
         }
     }
 
@@ -79,6 +83,14 @@ impl Track {
         self
     }
 
+    /// The same of an agent that breaks down: from the first of each two times up to, not
+    /// including, the second.
+    #[must_use]
+    pub fn breaking_down(mut self, breakdowns: Vec<(u32, u32)>) -> Self {
+        self.breakdowns = breakdowns;
+        self
+    }
+
     /// The cells by time.
     pub fn path(&self) -> &[Option<Cell>] {
         &self.path
@@ -105,8 +117,16 @@ impl Track {
         last_stop(&self.path)
     }
 
-    /// Whether it waits anywhere before its arrival.
+    /// Whether it waits anywhere before its arrival, and is not broken down then.
     pub fn has_waits(&self) -> bool {
         (self.from as usize..self.path.len()).any(|step| self.badge(step) == Some(Badge::Waits))
+    }
+
+    /// Whether it stands broken down at any time.
+    pub fn has_breakdowns(&self) -> bool {
+        let times = self.breakdowns.iter().flat_map(|&(from, to)| from..to);
+        times
+            .map(|time| self.badge(time as usize))
+            .any(|badge| badge == Some(Badge::Broken))
     }
 }

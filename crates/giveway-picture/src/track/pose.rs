@@ -64,6 +64,8 @@ pub enum Badge {
     Charges,
     /// It waits.
     Waits,
+    /// It is broken down.
+    Broken,
 }
 
 impl Track {
@@ -106,8 +108,21 @@ impl Track {
         if self.charges.binary_search(&(step as u32)).is_ok() {
             return Some(Badge::Charges);
         }
-        let stays = self.path.get(step).copied().flatten() == *self.path.get(step + 1)?;
-        (stays && self.path[step].is_some()).then_some(Badge::Waits)
+        let is_broken = self.breakdowns.iter().any(|&(from, to)| {
+            let time = step as u32;
+            from <= time && time < to
+        });
+        // At its goal its path has come to an end; in transit it is on no cell.
+        let here = self
+            .path
+            .get(step)
+            .or(self.path.last())
+            .copied()
+            .flatten()?;
+        if is_broken {
+            return Some(Badge::Broken);
+        }
+        (Some(here) == *self.path.get(step + 1)?).then_some(Badge::Waits)
     }
 
     fn transit(&self, step: usize, time: f64) -> Option<(Cell, Cell)> {

@@ -41,6 +41,25 @@ fn charging_and_waiting_show_while_they_last() {
 }
 
 #[test]
+fn a_breakdown_is_no_wait() {
+    let track = Track::new(path("0111-22"), Vec::new(), None, AtGoal::Stay);
+    let track = track.breaking_down(vec![(1, 2), (4, 9)]);
+    let badge = |time| track.pose(time).unwrap().badge;
+    assert_eq!(badge(1.5), Some(Badge::Broken));
+    assert_eq!(badge(2.0), Some(Badge::Waits));
+    assert_eq!(badge(4.0), None, "it ends the slow move that it is on");
+    assert_eq!(
+        (badge(5.0), badge(8.0)),
+        (Some(Badge::Broken), Some(Badge::Broken))
+    );
+    assert_eq!(badge(9.0), None);
+    assert!(track.has_waits() && track.has_breakdowns());
+    let only = self::track("0011").breaking_down(vec![(0, 1)]);
+    assert!(only.has_breakdowns());
+    assert!(!self::track("0011").has_breakdowns());
+}
+
+#[test]
 fn a_slow_move_is_in_transit_from_cell_to_cell() {
     let track = track("01-2");
     let transit = |time| track.pose(time).unwrap().transit;

@@ -101,7 +101,7 @@ pub(super) fn applied(scene: &Scene, edit: &Edit) -> Option<Scene> {
             *row = letters.collect();
         }
         Edit::Start(robot, cell) => agents.get_mut(robot)?.start = cell,
-        Edit::Goal(robot, cell) => agents.get_mut(robot)?.goal = cell,
+        Edit::Goal(robot, cell) => agents.get_mut(robot)?.goal = Some(cell),
         Edit::Waypoint(robot, cell) => agents.get_mut(robot)?.waypoints.push(cell),
         Edit::Gone(robot) => drop(agents.remove(robot)),
         Edit::New(start, goal) => {
@@ -111,7 +111,7 @@ pub(super) fn applied(scene: &Scene, edit: &Edit) -> Option<Scene> {
             agents.push(Agent {
                 name,
                 start,
-                goal,
+                goal: Some(goal),
                 waypoints: Vec::new(),
                 battery: None,
             });

@@ -64,9 +64,12 @@ fn robots(start: &Scene, scene: &Scene) -> Vec<String> {
             Some(before) if before.start != agent.start => {
                 tr!("You ..." => "moved {robot} to {cell}", robot, cell = cell(agent.start))
             }
-            Some(before) if before.goal != agent.goal => {
-                tr!("You ..." => "gave {robot} another flag, {cell}", robot, cell = cell(agent.goal))
-            }
+            Some(before) if before.goal != agent.goal => match agent.goal {
+                Some(goal) => {
+                    tr!("You ..." => "gave {robot} another flag, {cell}", robot, cell = cell(goal))
+                }
+                None => tr!("You ..." => "took the flag of {robot} away", robot),
+            },
             Some(before) if before.waypoints != agent.waypoints => {
                 tr!("You ..." => "changed the waypoints of {robot}", robot)
             }

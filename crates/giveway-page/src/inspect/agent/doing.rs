@@ -38,16 +38,25 @@ pub(super) fn doing(lane: &Lane, time: u32) -> String {
         _ if step.begins < time => tr!("Half way from {from} to {to}", from, to),
         Way::Move if charges => tr!("Charging at {from}, then to {to}", from, to),
         Way::Slow if charges => tr!("Charging at {from}, then slowly to {to}", from, to),
-        Way::Wait if charges => tr!("Charging at {from}, and waiting there", from),
+        Way::Wait | Way::Broken if charges => tr!("Charging at {from}, and waiting there", from),
         Way::Move => tr!("Going from {from} to {to}", from, to),
         Way::Slow => tr!("Going slowly from {from} to {to}", from, to),
         Way::Wait => {
-            let later = lane.steps.iter().filter(|step| step.begins >= time);
-            let waits = later.take_while(|step| step.way == Way::Wait);
-            let until = waits.last().map_or(time, |step| step.ends);
+            let until = until(lane, time, step.way);
             tr!("Waiting at {from} until {until}", from, until)
         }
+        Way::Broken => {
+            let until = until(lane, time, step.way);
+            tr!("Broken down at {from} until {until}", from, until)
+        }
     }
+}
+
+/// The time up to which an agent goes on with what it does in the step at a time.
+fn until(lane: &Lane, time: u32, way: Way) -> u32 {
+    let later = lane.steps.iter().filter(|step| step.begins >= time);
+    let same = later.take_while(|step| step.way == way);
+    same.last().map_or(time, |step| step.ends)
 }
 
 #[cfg(test)]
@@ -85,6 +94,10 @@ mod tests {
             doing(&lane(vec![1]), 1),
             "Charging at (0, 0), and waiting there"
         );
+        let mut broken = lane(vec![]);
+        broken.steps[0].way = Way::Broken;
+        assert_eq!(doing(&broken, 0), "Broken down at (0, 0) until 1");
+        assert_eq!(doing(&broken, 1), "Waiting at (0, 0) until 2");
         assert_eq!(doing(&lane(vec![]), 3), "Arrived at (1, 0)");
         assert_eq!(doing(&lane(vec![]), 4), "Arrived at (1, 0), and gone");
     }

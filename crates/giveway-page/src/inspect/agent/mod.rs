@@ -65,11 +65,14 @@ pub fn agent(state: &State, agent: usize) -> Option<AgentFacts> {
         None if state.document.mode.changing().is_some() => {
             tr!("Joins at {cell}", cell = at(who.start))
         }
-        None => tr!(
-            "From {start} to {goal}",
-            start = at(who.start),
-            goal = at(who.goal)
-        ),
+        None => match who.goal {
+            Some(goal) => tr!(
+                "From {start} to {goal}",
+                start = at(who.start),
+                goal = at(goal)
+            ),
+            None => tr!("From {start}, rests anywhere", start = at(who.start)),
+        },
     };
     let visited = lane.as_ref().map(|lane| visited(lane, time));
     let is_visited = |cell: &&Cell| visited.as_ref().is_some_and(|cells| cells.contains(cell));

@@ -10,6 +10,7 @@ use giveway_model::words::decimal;
 use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
+use crate::words::values;
 use crate::{Answer, Size, State};
 
 pub use costs::CostFacts;
@@ -49,12 +50,21 @@ pub fn whole(state: &State) -> Whole {
     if let Some(run) = state.work.solving() {
         let asked = run.request.objective.as_ref();
         let objective = asked.unwrap_or(&run.request.scene.objective);
+        // Of the plan that plays, as what stands beside it is about that.
+        let playing = state.playing_costs();
         whole.costs = costs(objective.costs(), |cost| {
             (
-                run.best.map(|costs| costs.get(cost)),
+                playing.map(|costs| costs.get(cost)),
                 run.bounds.get(&cost).copied(),
             )
         });
+        if let Some((best, _)) = run.best.zip(state.playing_before_best()) {
+            let costs = values(objective, &best);
+            whole.claims.push(tr!(
+                "A better plan is found: {costs}. It plays once this one is at its end.",
+                costs
+            ));
+        }
         whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
     } else if let Some(answer) = &state.document.answer {
         tell(&mut whole, answer);
@@ -78,7 +88,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     let solved = &answer.solved;
     let asked = answer.request.objective.as_ref();
     let objective = asked.unwrap_or(&answer.request.scene.objective);
-    whole.claims.push(claim(answer));
+    whole.claims.extend(claim(answer));
     whole
         .claims
         .extend(solved.reason.as_deref().map(giveway_solve::words::reason));

@@ -5,13 +5,14 @@ use giveway_solve::Status;
 
 use crate::{Answer, Draft};
 
-/// What is claimed, and how far it reaches.
-pub(super) fn claim(answer: &Answer) -> String {
+/// What is claimed, and how far it reaches; `None` where no search said anything of the plan,
+/// and there is a reason for that.
+pub(super) fn claim(answer: &Answer) -> Option<String> {
     let solved = &answer.solved;
     if let (Some(course), Status::Optimal) = (&answer.course, solved.status) {
         let at = answer.changed_last().unwrap_or(0);
         let step = course.steps.last().and_then(|step| step.method);
-        return match step {
+        return Some(match step {
             Some(method) => {
                 let method = crate::words::change::method_in_words(method);
                 tr!(
@@ -21,17 +22,16 @@ pub(super) fn claim(answer: &Answer) -> String {
                 )
             }
             None => tr!("No way to go on from time {at} is better.", at),
-        };
+        });
     }
-    match answer.by {
-        Some(_) if solved.status == Status::Feasible => crate::planners::claim(answer),
-        None if solved.status == Status::Feasible => match &solved.reason {
-            // The reason says why there is no more.
-            Some(_) => giveway_solve::words::claim(solved),
-            None => tr!("Nobody has asked here whether it is the best.").to_owned(),
-        },
-        _ => giveway_solve::words::claim(solved),
+    if answer.by.is_some() && solved.status == Status::Feasible {
+        return Some(crate::planners::claim(answer));
     }
+    if answer.is_searched() {
+        return Some(giveway_solve::words::claim(solved));
+    }
+    let asked = || tr!("Nobody has asked here whether it is the best.").to_owned();
+    solved.reason.is_none().then(asked)
 }
 
 /// What a scene contains.

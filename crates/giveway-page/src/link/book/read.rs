@@ -161,8 +161,5 @@ fn newer(text: &str) -> String {
 }
 
 fn unread(why: String) -> Notice {
-    Notice {
-        sentence: tr!("What this browser kept cannot be read.").to_owned(),
-        details: vec![why],
-    }
+    Notice::refusal(tr!("What this browser kept cannot be read."), vec![why])
 }

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::change::Changes;
-use giveway_model::{Costs, Instance, Plan, Version, check, tr};
+use giveway_model::{Costs, Fault, Instance, Plan, Version, check, tr};
 use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 
 use super::parts::Parts;
+use crate::changing::Changing;
 use crate::link::{Linked, Source, change, claim};
-use crate::{Answer, Document, Draft};
+use crate::{Answer, Document, Draft, Mode};
 
 /// A plan with the changes around it, as files tell it, judged.
 ///
@@ -30,7 +31,27 @@ pub(crate) fn judged(draft: Draft, plan: Plan, changes: Option<Changes>) -> Resu
         time: 0,
         question: None,
         source: Source::File,
+        was_impossible: false,
+        is_checked: true,
     })
+}
+
+/// A plan that does not know of changes, judged without them; they are listed at the first
+/// of their times, so that new plans can be found.
+///
+/// # Errors
+/// What is wrong with the plan or the changes, as a sentence.
+pub(crate) fn changing(draft: Draft, plan: Plan, changes: &Changes) -> Result<Linked, String> {
+    let mut linked = judged(draft, plan, None)?;
+    let misfit = |faults: &[Fault]| tr!("Its changes do not fit: {first}.", first = first(faults));
+    let answer = linked.document.answer.as_ref();
+    let changing = answer.map(|answer| Changing::of_file(answer, changes));
+    let changing = changing.transpose().map_err(|faults| misfit(&faults))?;
+    if let Some(changing) = changing.flatten() {
+        linked.time = changing.at;
+        linked.document.mode = Mode::Changing(Rc::new(changing));
+    }
+    Ok(linked)
 }
 
 /// The plan as an answer, after the judge passed it.

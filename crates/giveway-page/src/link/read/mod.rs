@@ -12,12 +12,14 @@ use giveway_model::change::Changes;
 use giveway_model::{Agent, Plan, Scene, tr};
 
 use super::text::{numbers, unescape};
-use super::{From, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene};
+use super::{
+    From, IMPOSSIBLE, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene,
+};
 use crate::audit::Audit;
 use crate::front::Front;
 use crate::{Answer, Colours, Document, Draft, Looks, Mode};
 
-pub(crate) use judged::judged;
+pub(crate) use judged::{changing, judged};
 pub(super) use parts::{is_of_scene, is_public};
 
 use judged::answer;
@@ -55,12 +57,16 @@ impl Reader {
         self.keep(&mut document, &parts)?;
         let time = parts.read("time", |text| text.parse().ok())?;
         let question = parts.read("ask", ask::read)?;
+        let is_verdict = |text: &str| (text == IMPOSSIBLE).then_some(());
+        let verdict = parts.read("verdict", is_verdict)?;
         let last = document.shown(true).map_or(0, |answer| answer.makespan());
         Ok(Linked {
             time: u32::min(time.unwrap_or(0), last),
             document,
             question,
+            was_impossible: verdict.is_some(),
             source: Source::Link,
+            is_checked: true,
         })
     }
 

@@ -3,12 +3,13 @@
 
 use std::collections::BTreeMap;
 
+use giveway_model::format::link::text;
 use giveway_model::tr;
 
 use crate::link::From;
 
 /// The parts that make a scene.
-pub(super) const SCENE: [&str; 5] = ["map", "name", "rules", "costs", "agents"];
+pub(super) const SCENE: [&str; 6] = ["map", "name", "rules", "costs", "agents", "assumes"];
 
 /// The parts that make an answer.
 pub(super) const ANSWER: [&str; 8] = [
@@ -23,8 +24,9 @@ pub(super) const ANSWER: [&str; 8] = [
 ];
 
 /// What a link may hold beside a scene.
-const PUBLIC: [&str; 10] = [
+const PUBLIC: [&str; 11] = [
     "plan", "knows", "slept", "changes", "audit", "time", "ask", "within", "colours", "looks",
+    "verdict",
 ];
 
 /// What only this browser writes.
@@ -80,6 +82,10 @@ impl<'a> Parts<'a> {
     /// # Errors
     /// Which part there may not be, or what else is wrong, as a sentence.
     pub(super) fn split(text: &'a str, from: From) -> Result<Self, String> {
+        let is_cut = |part: &str| from == From::Anywhere && !part.contains('=');
+        if text.starts_with("giveway=") && text.split('&').any(is_cut) {
+            return Err(tr!("It was cut in the middle of a part.").to_owned());
+        }
         let mut all = text.split('&').filter_map(|part| part.split_once('='));
         match all.next() {
             Some(("giveway", "1")) => {}
@@ -133,6 +139,7 @@ impl<'a> Parts<'a> {
 
 /// That a part is broken, as a sentence.
 pub(super) fn broken(key: &str) -> String {
+    let key = text::unescape(key).unwrap_or_else(|| key.to_owned());
     let key: String = key.chars().take(20).collect();
     tr!("Its part “{key}” is broken.", key)
 }

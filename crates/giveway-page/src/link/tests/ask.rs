@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Question};
 
-use super::why;
+use super::{bare, why};
 use crate::link::{ask, keep, kept, open, write};
 use crate::{Action, AskAction, Draft, Phase, SolveAction, State, reduce, sample};
 
@@ -36,7 +36,7 @@ fn a_question_is_asked_again() {
 #[test]
 fn a_question_without_a_plan_waits_for_the_answer() {
     let (text, _) = {
-        let text = write(&sample::solved());
+        let text = bare(&sample::solved());
         let at = text.find("&plan=").unwrap();
         (format!("{}&ask=makespan", &text[..at]), at)
     };
@@ -93,7 +93,7 @@ fn every_question_comes_back() {
 
 #[test]
 fn hostile_questions_are_refused() {
-    let good = write(&sample::solved());
+    let good = bare(&sample::solved());
     for question in [
         "",
         "why",
@@ -122,7 +122,7 @@ fn hostile_questions_are_refused() {
     let state = reduce(&State::new(Draft::default()), open(&text));
     assert_eq!(
         (state.phase(), state.document.mode.asking()),
-        (Phase::Stopped, None)
+        (Phase::Found, None)
     );
     assert!(state.view.notice.unwrap().sentence.contains("nobody"));
 }

@@ -3,8 +3,8 @@
 use giveway_model::{Cell, format::native};
 use giveway_solve::Status;
 
-use super::{read_noise, why};
-use crate::link::{From, change, keep, kept, read, write};
+use super::{bare, read_noise, why};
+use crate::link::{From, change, keep, kept, open, read, write};
 use crate::{Action, BoardAction, ChangeAction, Draft, Phase, PlayAction, State, reduce};
 
 /// A3 joined at time 1 and a charger appears at time 2; something else is listed.
@@ -38,6 +38,13 @@ fn a_course_comes_back_judged_with_its_changes() {
     assert_eq!(course.steps[0].method, None, "a link is not believed");
     assert_eq!(answer.solved.status, Status::Feasible);
     assert_eq!(answer.arrivals, before.arrivals);
+    // It came from elsewhere: no search was stopped here.
+    let opened = reduce(&State::new(Draft::default()), open(&text));
+    let standing = crate::words::standing(&opened);
+    assert_eq!(standing.badge, crate::words::Badge::Shared);
+    let open = "Nobody has checked here whether it is the best.";
+    assert!(standing.sentence.ends_with(open), "{}", standing.sentence);
+    assert_eq!(opened.phase(), Phase::Found);
 }
 
 #[test]
@@ -74,7 +81,7 @@ fn every_kind_of_change_comes_back() {
 
 #[test]
 fn hostile_changes_are_refused() {
-    let good = write(&crate::tests::adopted());
+    let good = bare(&crate::tests::adopted());
     for (changes, expect) in [
         ("1", "changes"),
         ("x", "changes"),

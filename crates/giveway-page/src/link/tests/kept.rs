@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use giveway_solve::Status;
 
-use super::super::{From, LONGEST, keep, kept, write};
+use super::super::{From, LONGEST, keep, kept};
+use super::bare;
 use crate::reduce::tests::{after, stroke};
 use crate::{
     Action, AskAction, Edit, Phase, PlayAction, Selection, State, Tool, ViewAction, reduce, sample,
@@ -144,7 +145,7 @@ fn there_is_room_for_so_much_of_the_past() {
 
 #[test]
 fn what_the_first_version_kept_is_read() {
-    let text = write(&sample::solved()) + "&claim=0.1.0.19.36.4.0.0.0.0.0.0!";
+    let text = bare(&sample::solved()) + "&claim=0.1.0.19.36.4.0.0.0.0.0.0!";
     let state = kept(&text).unwrap();
     assert_eq!(state.phase(), Phase::Planned);
     let newer = text.replacen("giveway=1", "giveway-kept=3", 1);

@@ -1,10 +1,12 @@
 //! Links that hide the answer, and links in a language.
 
 use giveway_model::Question;
+use giveway_solve::{Response, Status};
 
-use super::why;
 use crate::link::{From, Sharing, document, embed, open, read, write};
-use crate::{Action, AskAction, Draft, Phase, PlayAction, State, ViewAction, reduce, sample};
+use crate::{
+    Action, AskAction, Draft, Phase, PlayAction, SolveAction, State, ViewAction, reduce, sample,
+};
 
 const PUZZLE: Sharing = Sharing {
     hides_answer: true,
@@ -31,7 +33,9 @@ fn a_link_can_hide_the_answer() {
         assert!(keys(&whole).contains(&key), "{whole}");
     }
     let link = PUZZLE.link(&whole);
-    let scene = ["giveway", "map", "name", "rules", "costs", "agents"];
+    let scene = [
+        "giveway", "check", "map", "name", "rules", "costs", "agents",
+    ];
     assert_eq!(keys(&link), scene, "the scene and nothing else: {link}");
 
     let (_, text) = link.split_once('#').unwrap();
@@ -55,7 +59,8 @@ fn whatever_a_link_tells_of_an_answer_is_left_out() {
         let told = keys(&link);
         for key in told {
             let is_scene = [
-                "giveway", "map", "name", "rules", "costs", "agents", "within", "colours", "looks",
+                "giveway", "check", "map", "name", "rules", "costs", "agents", "within", "colours",
+                "looks",
             ];
             assert!(is_scene.contains(&key), "{key} in {link}");
         }
@@ -83,7 +88,7 @@ fn an_embed_hides_the_answer_and_has_its_language() {
         ..PUZZLE
     };
     let html = embed(&german.link(&whole), "puzzle");
-    assert!(html.contains("src=\"https://example.org/?embed&amp;lang=de#giveway=1&amp;map="));
+    assert!(html.contains("src=\"https://example.org/?embed&amp;lang=de#giveway=1&amp;check="));
     assert!(!html.contains("plan=") && !html.contains("time=") && !html.contains("ask="));
     let plain = embed(&whole, "plan");
     assert!(plain.contains("/?embed#giveway=1&amp;"), "{plain}");
@@ -100,5 +105,42 @@ fn the_language_is_no_part_of_the_scene() {
     let link = german.link(&whole);
     assert_eq!(link, whole.replace("/#", "/?lang=de#"));
     let (_, text) = whole.split_once('#').unwrap();
-    assert!(why(&format!("{text}&lang=de")).contains("lang"));
+    // What stands behind a link is no part of it.
+    let linked = read(&format!("{text}&lang=de"), From::Anywhere);
+    assert_eq!(linked, read(text, From::Anywhere));
+}
+
+#[test]
+fn a_link_of_a_scene_without_a_plan_finds_that_verdict_again() {
+    let begun = reduce(
+        &State::new(sample::draft()),
+        Action::Solve(SolveAction::Solve),
+    );
+    let mut solved = sample::solved().document.answer.unwrap().solved.clone();
+    solved.status = Status::Impossible;
+    (solved.plan, solved.costs) = (None, None);
+    let response = Box::new(Response::Solved(solved));
+    let job = begun.work.id().unwrap();
+    let state = reduce(
+        &begun,
+        Action::Solve(SolveAction::Respond { job, response }),
+    );
+    assert_eq!(state.phase(), Phase::None);
+    let text = write(&state);
+    assert!(text.contains("&verdict=impossible"), "{text}");
+    let opened = reduce(&State::new(Draft::default()), open(&text));
+    assert_eq!(
+        opened.phase(),
+        Phase::Solving,
+        "it is not believed, but found again"
+    );
+    assert_eq!(opened.document.answer, None);
+    // What was not solved is not solved by opening it, and a puzzle tells nothing.
+    let unsolved = write(&State::new(sample::draft()));
+    let opened = reduce(&State::new(Draft::default()), open(&unsolved));
+    assert_eq!(opened.phase(), Phase::Editing);
+    let puzzle = PUZZLE.link(&format!("https://example.org/#{text}"));
+    assert!(!puzzle.contains("verdict"), "{puzzle}");
+    let other = text.replace("verdict=impossible", "verdict=maybe");
+    assert!(read(&other, From::Anywhere).is_err());
 }

@@ -36,7 +36,7 @@ pub(in crate::reduce) fn admit(state: &mut State, action: Action) -> Option<Acti
             None
         }
         Fate::Closed(why) => {
-            state.view.notice = Some(Notice::new(why));
+            state.view.notice = Some(Notice::refusal(why, Vec::new()));
             None
         }
         Fate::Dropped => None,

@@ -72,7 +72,9 @@ fn says(state: &mut State, message: ToPage) {
                 open(state, &Rc::new(board));
             }
         }
-        ToPage::Say(sentence) => state.view.notice = Some(Notice::new(sentence)),
+        ToPage::Say(sentence) => {
+            state.view.notice = Some(Notice::information(sentence, Vec::new()));
+        }
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
         // They change no state: the page acts by itself.
@@ -119,10 +121,10 @@ fn open(state: &mut State, board: &Rc<Board>) {
 }
 
 fn refusal(faults: &[Fault]) -> Notice {
-    Notice {
-        sentence: tr!("The board of this lesson cannot be shown.").to_owned(),
-        details: faults.iter().map(ToString::to_string).collect(),
-    }
+    Notice::refusal(
+        tr!("The board of this lesson cannot be shown."),
+        faults.iter().map(ToString::to_string).collect(),
+    )
 }
 
 /// Whether the best plan is searched for.

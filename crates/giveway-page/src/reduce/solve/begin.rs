@@ -85,10 +85,10 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     let draft = &state.document.draft;
     if draft.instance().is_err() {
         let problems = draft.problems().iter();
-        state.view.notice = Some(Notice {
-            sentence: tr!("The scene cannot be solved as it is.").to_owned(),
-            details: problems.map(Problem::sentence).collect(),
-        });
+        state.view.notice = Some(Notice::refusal(
+            tr!("The scene cannot be solved as it is."),
+            problems.map(Problem::sentence).collect(),
+        ));
         return;
     }
     ask::close(state);

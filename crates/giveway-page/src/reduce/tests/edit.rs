@@ -120,7 +120,7 @@ fn a_crowd_opens_without_the_plan_table() {
     let agent = |x| Agent {
         name: format!("A{x}"),
         start: Cell::new(x, 0),
-        goal: Cell::new(x, 1),
+        goal: Some(Cell::new(x, 1)),
         waypoints: Vec::new(),
         battery: None,
     };

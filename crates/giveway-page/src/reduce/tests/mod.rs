@@ -4,6 +4,7 @@ mod ask;
 mod edit;
 mod looks;
 mod nothing;
+mod notices;
 mod play;
 mod preview;
 mod proof;
@@ -170,10 +171,7 @@ fn what_is_shown() {
 
 #[test]
 fn notices_come_and_go() {
-    let notice = Notice {
-        sentence: "No.".to_owned(),
-        details: Vec::new(),
-    };
+    let notice = Notice::refusal("No.", Vec::new());
     let before = solved();
     let state = after(&before, [Action::File(FileAction::Refuse(notice.clone()))]);
     assert_eq!(state.view.notice, Some(notice));

@@ -17,7 +17,7 @@ fn begun() -> State {
         agents: vec![Agent {
             name: "A1".into(),
             start: Cell::new(0, 0),
-            goal: Cell::new(5, 0),
+            goal: Some(Cell::new(5, 0)),
             waypoints: Vec::new(),
             battery: None,
         }],
@@ -128,6 +128,33 @@ fn a_better_plan_waits_until_no_robot_would_jump() {
     let start = play(&paused, PlayAction::Seek(0));
     assert_eq!(start.so_far().unwrap().makespan(), shown.makespan() - 3);
     assert_eq!(start.view.playback.time, 0);
+}
+
+#[test]
+fn the_costs_are_those_of_the_plan_that_plays() {
+    let costs = |state: &State| {
+        let whole = crate::inspect::whole(state);
+        let makespan = whole.costs.iter().find(|it| it.cost == Cost::Makespan);
+        (makespan.and_then(|it| it.value), whole.claims)
+    };
+    let first = tell(&begun(), later(3));
+    assert_eq!(costs(&first), (Some(8), Vec::new()));
+    let playing = tell(&play(&first, PlayAction::Reach(4)), later(1));
+    assert_eq!(playing.so_far().unwrap().makespan(), 8);
+    let (makespan, claims) = costs(&playing);
+    assert_eq!(
+        makespan,
+        Some(8),
+        "not those of a plan that nobody sees yet"
+    );
+    assert!(
+        claims[0].starts_with("A better plan is found: makespan 6"),
+        "{claims:?}"
+    );
+    let said = crate::words::standing(&playing).sentence;
+    assert!(said.contains("makespan 6"), "{said}");
+    let end = play(&playing, PlayAction::Reach(8));
+    assert_eq!(costs(&end), (Some(6), Vec::new()));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Runs of the solver, and what comes late.
 
 use giveway_model::{Cost, Costs, Fault, Plan, Version};
-use giveway_solve::{Progress, Refusal, Response, SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, Progress, Refusal, Response, SolveAnswer, Stats, Status};
 
 use super::{after, edit, fresh};
 use crate::sample::solved;
@@ -33,7 +33,10 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         bounds: [(Cost::Makespan, 17)].into(),
         within: None,
         complete: false,
-        ended: None,
+        ended: match status {
+            Status::Optimal | Status::Impossible => Some(Ended::Proof),
+            Status::Feasible | Status::Unknown => Some(Ended::Time),
+        },
         reason: None,
         plan: None,
         stats: Stats::default(),

@@ -161,8 +161,9 @@ fn a_shared_plan_is_proved_where_it_stands() {
         solved().plan(),
         "it stays the plan that was shared"
     );
-    assert_eq!(judged.phase(), Phase::Stopped);
+    assert_eq!(judged.phase(), Phase::Found, "no search was stopped");
     let said = words::standing(&judged).sentence;
+    assert!(said.starts_with("A plan: makespan 18"), "{said}");
     assert!(said.ends_with("There is a better plan."), "{said}");
 }
 

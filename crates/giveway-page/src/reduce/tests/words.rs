@@ -170,7 +170,7 @@ fn out_of_budget() {
 #[test]
 fn a_scene_that_cannot_be_solved() {
     let mut scene: Scene = fresh().document.draft.scene().clone();
-    scene.agents[0].goal = Cell::new(1, 1);
+    scene.agents[0].goal = Some(Cell::new(1, 1));
     let state = State::new(Draft::new(scene).unwrap());
     let standing = standing(&state);
     assert_eq!(standing.badge, Badge::Faulty);

@@ -117,7 +117,10 @@ fn a_plan_of_our_own_is_one_step_from_its_audit() {
     let Ok(Reading::Linked(linked)) = read(&files) else {
         panic!("a scene with its plan")
     };
-    let opened = reduce(&fresh(), Action::File(FileAction::OpenLink(linked)));
+    let opened = reduce(
+        &fresh(),
+        Action::File(FileAction::OpenLink(Box::new(linked.linked))),
+    );
     // It is played; while it is proved, and after, one press audits it.
     assert_eq!(opened.document.mode, Mode::Editing);
     for opened in [opened.clone(), answer(&opened)] {

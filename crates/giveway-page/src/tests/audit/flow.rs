@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::{Options, Source, gather};
-use giveway_model::format::link::audited;
+use giveway_formats::link::audited;
+use giveway_formats::{Options, Source, combine};
 
 use super::{BEST, BEST_PATHS, LEGAL, LEGAL_PATHS, MEETING, SCENE, audit, dropped, fresh};
 use crate::audit::{AuditAction, facts};
@@ -169,7 +169,7 @@ fn the_browser_brings_it_back_and_a_link_carries_it() {
 fn the_link_of_a_report_opens_the_plan() {
     for plan in [MEETING, LEGAL_PATHS] {
         let files = [("hall.json", SCENE), ("p.json", plan)];
-        let read = gather(
+        let read = combine(
             &files.map(|(name, text)| Source { name, text }),
             &Options::default(),
         )
@@ -260,4 +260,27 @@ fn a_report_tells_it_and_links_back() {
     assert_eq!(json["status"], "illegal");
     assert_eq!(json["violations"][0]["rule"], "vertex");
     assert_eq!(json["costs"]["sum-of-costs"], 4);
+}
+
+#[test]
+fn another_rule_judges_the_plan_again() {
+    let state = dropped(
+        &fresh(),
+        &[("hall.json", SCENE), ("paths.json", LEGAL_PATHS)],
+    );
+    let state = answer(&state);
+    assert!(audit(&state).ours.is_some());
+    let vanish = reduce(
+        &state,
+        Action::Edit(Edit::AtGoal(giveway_model::AtGoal::Vanish)),
+    );
+    assert!(matches!(vanish.document.mode, Mode::Auditing(_)));
+    let judged = audit(&vanish);
+    assert!(judged.plan.is_legal() && judged.ours.is_none());
+    assert!(vanish.work.solving().is_some());
+    let floor = reduce(&vanish, Action::Edit(Edit::BatteryFloor(2)));
+    assert!(matches!(floor.document.mode, Mode::Auditing(_)));
+    // Another world is another question.
+    let named = reduce(&floor, Action::Edit(Edit::Resize(9, 9)));
+    assert_eq!(named.document.mode, Mode::Editing);
 }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::format::foreign::Format;
+use giveway_formats::Format;
 
 use super::{LEGAL_PATHS, MEETING, SCENE, audit, dropped, file, fresh, read_out};
 use crate::action::IntakeAction;
@@ -13,7 +13,9 @@ use crate::{Action, FileAction, Notice, Save, State, reduce};
 const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n...\n...\n";
 
 fn notice(state: &State) -> String {
-    let Notice { sentence, details } = state.view.notice.clone().unwrap();
+    let Notice {
+        sentence, details, ..
+    } = state.view.notice.clone().unwrap();
     format!("{sentence} {}", details.join(" "))
 }
 
@@ -51,13 +53,22 @@ fn the_reader_breaking_off_is_told() {
         &fresh(),
         Action::Intake(IntakeAction::Read(vec![file("a.txt", "?")])),
     );
-    let sentence = "out of memory".to_owned();
-    let state = reduce(
-        &state,
-        Action::Intake(IntakeAction::Crash { job: 1, sentence }),
-    );
-    assert!(state.intake.job().is_none());
-    assert!(notice(&state).contains("out of memory"));
+    let crash = |had_started: bool| {
+        let details = vec!["out of memory".to_owned()];
+        let crash = IntakeAction::Crash {
+            job: 1,
+            had_started,
+            details,
+        };
+        reduce(&state, Action::Intake(crash))
+    };
+    let broke = crash(true);
+    assert!(broke.intake.job().is_none());
+    assert!(notice(&broke).contains("broke off") && notice(&broke).contains("out of memory"));
+    // Where workers are not allowed nothing ever started.
+    let never = notice(&crash(false));
+    assert!(never.starts_with("The file cannot be read here"), "{never}");
+    assert!(!never.contains("broke off"), "{never}");
 }
 
 #[test]

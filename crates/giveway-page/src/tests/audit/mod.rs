@@ -1,8 +1,10 @@
 //! Plans of elsewhere: dropped, judged, compared, kept.
 
+mod brought;
 mod conflicts;
 mod flow;
 mod intake;
+mod left_out;
 
 use std::rc::Rc;
 

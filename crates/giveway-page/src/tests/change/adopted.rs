@@ -55,7 +55,7 @@ fn the_world_changes_again_later_and_not_before() {
     let joins = Edit::AddAgent(Agent {
         name: "A4".to_owned(),
         start: Cell::new(0, 2),
-        goal: Cell::new(0, 0),
+        goal: Some(Cell::new(0, 0)),
         waypoints: Vec::new(),
         battery: None,
     });

@@ -1,4 +1,4 @@
-//! What must be so, with the solver's own answers: asked, laid over the plan, cut off,
+//! What all best plans share, with the solver's own answers: asked, laid over the plan, cut off,
 //! closed cells, and undo in between.
 
 mod certificates;
@@ -25,7 +25,7 @@ fn page(map: &[&str], agents: &[[(u32, u32); 2]]) -> State {
     let agents = (1..).zip(agents).map(|(number, &[start, goal])| Agent {
         name: format!("A{number}"),
         start: cell(start),
-        goal: cell(goal),
+        goal: Some(cell(goal)),
         waypoints: Vec::new(),
         battery: None,
     });

@@ -20,7 +20,7 @@ impl Session {
             for _ in 0..self.rng.usize(0..5) {
                 path.push(self.cell());
             }
-            path.push(agent.goal);
+            path.extend(agent.goal);
             let path: Vec<String> = path
                 .iter()
                 .map(|cell| format!("[{}, {}]", cell.x, cell.y))

@@ -26,7 +26,7 @@ fn agent(name: &str, start: (u32, u32), goal: (u32, u32)) -> Agent {
     Agent {
         name: name.to_owned(),
         start: start.into(),
-        goal: goal.into(),
+        goal: Some(goal.into()),
         waypoints: Vec::new(),
         battery: None,
     }

@@ -17,6 +17,18 @@ pub enum Way {
     Slow,
     /// A wait.
     Wait,
+    /// A wait of an agent that is broken down.
+    Broken,
+}
+
+impl Way {
+    /// Whether it stays on its cell.
+    pub fn stays(self) -> bool {
+        match self {
+            Self::Move | Self::Slow => false,
+            Self::Wait | Self::Broken => true,
+        }
+    }
 }
 
 /// A move or a wait.
@@ -78,10 +90,17 @@ impl Lane {
             .zip(begins..)
             .filter_map(|(cell, time)| cell.map(|cell| (time, cell)));
         let (_, entry) = stops.next()?;
+        let breakdowns = answer.breakdowns(agent);
+        let is_broken = |time: u32| {
+            breakdowns
+                .iter()
+                .any(|&(from, to)| from <= time && time < to)
+        };
         let mut steps = Vec::with_capacity(path.len());
         let (mut begin, mut from) = (begins, entry);
         for (end, to) in stops {
             let way = match (end - begin, from == to) {
+                (1, true) if is_broken(begin) => Way::Broken,
                 (1, true) => Way::Wait,
                 (1, false) => Way::Move,
                 _ => Way::Slow,
@@ -104,7 +123,7 @@ impl Lane {
             begins,
             arrival: begin,
             arrives,
-            stays: arrives && answer.draft.scene().rules.at_goal == AtGoal::Stay,
+            stays: arrives && answer.draft.scene().rules.at_end_of(who) == AtGoal::Stay,
             removed,
             steps,
             charges: plan.charges(&who.name).to_vec(),
@@ -149,9 +168,14 @@ impl Lane {
         self.steps.iter().filter(|step| step.way == way).count()
     }
 
+    /// The waits, broken down or not.
+    pub fn waits(&self) -> usize {
+        self.steps.iter().filter(|step| step.way.stays()).count()
+    }
+
     /// The moves, slow or not.
     pub fn moves(&self) -> usize {
-        self.steps.len() - self.count(Way::Wait)
+        self.steps.len() - self.waits()
     }
 }
 

@@ -12,9 +12,13 @@ impl Lane {
             0 => {}
             slow => parts.push(tr!("{slow} of them slow", slow)),
         }
-        match self.count(Way::Wait) {
+        match self.waits() {
             0 => {}
             waits => parts.push(tr!("{n} wait" | "{n} waits" % waits)),
+        }
+        match self.count(Way::Broken) {
+            0 => {}
+            broken => parts.push(tr!("{broken} of them broken down", broken)),
         }
         if !self.charges.is_empty() {
             parts.push(tr!("charges at {times}", times = list(&self.charges)));

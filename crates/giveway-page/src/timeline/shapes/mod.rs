@@ -24,6 +24,10 @@ pub struct Shapes {
     pub waits: String,
     /// The pause on each wait, stroked.
     pub pauses: String,
+    /// The waits of an agent that is broken down, outlined.
+    pub broken: String,
+    /// The cross on each of them, stroked.
+    pub crosses: String,
     /// The line after the arrival, stroked.
     pub after: String,
     /// Below the battery's level, filled pale.
@@ -100,6 +104,26 @@ impl Shapes {
                     3.25,
                 );
                 stripes(&mut self.stripes, left, top, width, tall);
+            }
+            Way::Broken => {
+                rounded(
+                    &mut self.broken,
+                    left + 0.75,
+                    top + 0.75,
+                    width - 1.5,
+                    tall - 1.5,
+                    3.25,
+                );
+                let (middle, half) = (left + width / 2.0, (width / 4.0).clamp(1.5, 3.0));
+                let (x, y) = (middle - half, row.middle() - half);
+                let side = px(2.0 * half);
+                let _ = write!(self.crosses, "M{} {}l{side} {side}", px(x), px(y));
+                let _ = write!(
+                    self.crosses,
+                    "M{} {}l-{side} {side}",
+                    px(x + 2.0 * half),
+                    px(y)
+                );
             }
             Way::Wait => {
                 rounded(

@@ -4,8 +4,8 @@ mod badge;
 mod bounds;
 mod resting;
 
-use giveway_model::tr;
 use giveway_model::words::capital;
+use giveway_model::{AtGoal, Rules, assumption, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
@@ -15,6 +15,18 @@ pub use badge::Badge;
 
 use bounds::solving;
 use resting::resting;
+
+/// Rules other than the usual ones, a sentence each: an answer holds for them.
+fn rules(rules: Rules) -> Vec<String> {
+    let mut said = Vec::new();
+    if rules.at_goal == AtGoal::Vanish {
+        said.push(tr!("Robots leave the map at their goals.").to_owned());
+    }
+    if let floor @ 1.. = rules.battery_floor {
+        said.push(tr!("No battery may fall below {floor}.", floor));
+    }
+    said
+}
 
 /// Where the page stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -99,6 +111,13 @@ pub fn standing(state: &State) -> Standing {
         }
         Mode::Editing | Mode::Asking(_) => {
             let mut standing = resting(state);
+            let scene = state.document.draft.scene();
+            let rules = state.document.answer.as_ref().map(|_| rules(scene.rules));
+            let rules = rules.into_iter().flatten();
+            for said in rules.chain(assumption::sentences(&scene.assumptions)) {
+                standing.sentence += " ";
+                standing.sentence += &said;
+            }
             let number = state.freedom().and_then(|freedom| freedom.count());
             let such = number.map(freedom::such_plans);
             standing.sentence += such.as_deref().unwrap_or_default();

@@ -3,8 +3,9 @@
 use std::rc::Rc;
 
 use giveway_model::tr;
+use giveway_model::words::sentence;
 use giveway_solve::Status;
-use giveway_solve::words::headline;
+use giveway_solve::words::{headline, reason};
 
 use super::{Badge, Standing};
 use crate::front::Front;
@@ -38,9 +39,15 @@ pub(super) fn resting(state: &State) -> Standing {
     if answer.course.is_some() {
         let badge = match answer.solved.status {
             Status::Optimal => Badge::Adopted,
+            _ if answer.is_shared => Badge::Shared,
+            _ if !answer.is_searched() => Badge::Found,
             _ => Badge::Stopped,
         };
-        return say(badge, change::adopted(answer));
+        let mut sentence = change::adopted(answer);
+        if !answer.is_searched() {
+            sentence = format!("{sentence} {}", open(answer));
+        }
+        return say(badge, sentence);
     }
     if let Some(front) = state.document.own_front() {
         return on_front(front, answer);
@@ -54,6 +61,11 @@ pub(super) fn resting(state: &State) -> Standing {
             _ => Badge::Found,
         };
         return say(badge, planners::sentence(planner, answer));
+    }
+    if !answer.is_searched() {
+        let costs = costs(answer);
+        let open = open(answer);
+        return say(Badge::Found, tr!("A plan: {costs}. {open}", costs, open));
     }
     let badge = match answer.solved.status {
         Status::Optimal => Badge::Proved,
@@ -110,13 +122,25 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
 
 /// `Not checked yet whether it is the best: makespan 18.`
 fn shared(answer: &Answer) -> String {
-    let objective = &answer.draft.scene().objective;
-    let costs = answer.solved.costs;
-    let costs = costs.map_or_else(String::new, |costs| values(objective, &costs));
     tr!(
         "This plan was shared: {costs}. Nobody has checked here whether it is the best.",
-        costs
+        costs = costs(answer)
     )
+}
+
+/// The costs of a plan by the objective.
+fn costs(answer: &Answer) -> String {
+    let objective = &answer.draft.scene().objective;
+    let costs = answer.solved.costs;
+    costs.map_or_else(String::new, |costs| values(objective, &costs))
+}
+
+/// What is known of a plan of which no search said whether it is the best.
+fn open(answer: &Answer) -> String {
+    match &answer.solved.reason {
+        Some(given) => sentence(&reason(given)),
+        None => tr!("Nobody has checked here whether it is the best.").to_owned(),
+    }
 }
 
 fn answered(answer: &Answer) -> String {

@@ -73,7 +73,7 @@ fn a_bolt_makes_way_for_a_star() {
         agents: vec![Agent {
             name: "A".to_owned(),
             start: Cell::new(0, 0),
-            goal: Cell::new(0, 0),
+            goal: Some(Cell::new(0, 0)),
             waypoints: vec![Cell::new(1, 0)],
             battery: None,
         }],

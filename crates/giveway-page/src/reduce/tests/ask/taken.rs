@@ -7,7 +7,7 @@ use giveway_solve::Status;
 use super::{answered, asked};
 use crate::ask::card;
 use crate::reduce::tests::after;
-use crate::{Action, AskAction, Phase, PlayAction, ViewAction};
+use crate::{Action, AskAction, Phase, PlayAction, ViewAction, words};
 
 #[test]
 fn the_other_plan_is_shown_and_taken() {
@@ -26,6 +26,26 @@ fn the_other_plan_is_shown_and_taken() {
     // It costs more than what was proved.
     assert_eq!(answer.solved.status, Status::Feasible);
     assert_eq!(answer.solved.costs.unwrap().charges, 4);
+}
+
+/// Nobody searched for it, so it is not the best that a search had when it was stopped.
+#[test]
+fn a_plan_that_was_taken_is_not_called_the_best_so_far() {
+    let shown = after(
+        &answered(&asked()),
+        [Action::Ask(AskAction::ShowOther(true))],
+    );
+    let taken = after(&shown, [Action::Ask(AskAction::TakeOther)]);
+    assert_eq!(taken.phase(), Phase::Found);
+    let standing = words::standing(&taken);
+    assert_eq!(standing.badge, words::Badge::Found);
+    let sentence = "A plan: makespan 18, sum of costs 35, 4 charges. There is a better plan.";
+    assert_eq!(standing.sentence, sentence);
+    let claims = crate::inspect::whole(&taken).claims;
+    assert!(
+        claims.iter().all(|claim| !claim.contains("so far")),
+        "{claims:?}"
+    );
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn the_selected_agent_gets_another_goal() {
     ];
     let state = after(&fresh(), select);
     let moved = after(&state, key(8, 2));
-    assert_eq!(agent(&moved, 1).goal, Cell::new(8, 2));
+    assert_eq!(agent(&moved, 1).goal, Some(Cell::new(8, 2)));
     assert_eq!(
         after(&moved, [Action::Undo]).document.draft,
         fresh().document.draft
@@ -31,7 +31,7 @@ fn without_a_selection_a_goal_is_drawn_from_the_agent() {
     let state = after(&fresh(), stroke(Tool::Goal, &[(9, 2), (8, 2)]));
     assert_eq!(
         agent(&state, 0).goal,
-        Cell::new(8, 2),
+        Some(Cell::new(8, 2)),
         "the flag there is of A1"
     );
     let none = after(&fresh(), stroke(Tool::Goal, &[(4, 2), (3, 2)]));
@@ -133,7 +133,7 @@ fn erasing_takes_waypoints_goals_and_agents() {
     let state = after(&fresh(), stroke(Tool::Erase, &[(9, 2)]));
     let left = state.document.draft.agents();
     assert_eq!(left.len(), 1, "A2 started there");
-    assert_eq!(left[0].goal, left[0].start, "A1 ended there");
+    assert_eq!(left[0].goal, None, "A1 ended there");
     assert_eq!(
         after(&state, [Action::Undo]).document.draft,
         fresh().document.draft
