@@ -16,6 +16,7 @@ mod explain;
 mod freedom;
 mod picture;
 mod reading;
+mod ruling;
 mod solve;
 mod sweep;
 
@@ -28,6 +29,7 @@ pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
 pub(crate) use picture::Picture;
 pub(crate) use reading::Reading;
+pub(crate) use ruling::Ruling;
 pub(crate) use solve::Solve;
 pub(crate) use sweep::{Sweep, Table};
 
@@ -52,7 +54,8 @@ Exit status
   0   the question was answered; \"impossible\" is an answer, and \"feasible\" too
   1   the input is wrong, a check found violations, or a certificate was rejected
   2   the command line is wrong
-  3   the budget ran out without any answer (unknown)";
+  3   the budget ran out without any answer (unknown)
+  130 Ctrl-C: the best plan so far is told; a second one ends the command at once";
 
 /// The version as `--version` tells it: the same as on the page.
 static RELEASE: LazyLock<String> = LazyLock::new(giveway_model::release);
@@ -82,7 +85,8 @@ pub(crate) struct Common {
     /// The map of a scenario, if it is not in the same folder under its own name
     #[arg(long, global = true, value_name = "FILE")]
     pub(crate) map: Option<PathBuf>,
-    /// Print no progress line and no notes on standard error
+    /// Print no progress line and no notes on standard error; what was assumed of the input stays
+    /// part of the result
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
 }
@@ -143,6 +147,8 @@ pub(crate) struct Source {
     pub(crate) instance: PathBuf,
     #[command(flatten)]
     pub(crate) first: First,
+    #[command(flatten)]
+    pub(crate) ruling: Ruling,
 }
 
 /// How many agents of an instance count.

@@ -14,15 +14,25 @@ pub(crate) enum Exit {
     Usage,
     /// 3: the budget ran out without any answer.
     Unknown,
+    /// 130: Ctrl-C; the best plan so far is told, if there is one.
+    Interrupted,
+}
+
+impl Exit {
+    /// The exit status.
+    pub(crate) const fn code(self) -> u8 {
+        match self {
+            Self::Answered => 0,
+            Self::Wrong => 1,
+            Self::Usage => 2,
+            Self::Unknown => 3,
+            Self::Interrupted => 130,
+        }
+    }
 }
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
-        Self::from(match exit {
-            Exit::Answered => 0,
-            Exit::Wrong => 1,
-            Exit::Usage => 2,
-            Exit::Unknown => 3,
-        })
+        Self::from(exit.code())
     }
 }

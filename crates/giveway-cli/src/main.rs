@@ -14,6 +14,7 @@ mod commands;
 mod exit;
 mod failure;
 mod input;
+mod interrupt;
 mod output;
 mod progress;
 
@@ -38,5 +39,9 @@ fn main() -> ExitCode {
             }
         }
     };
-    exit.into()
+    if interrupt::happened() {
+        Exit::Interrupted.into()
+    } else {
+        exit.into()
+    }
 }

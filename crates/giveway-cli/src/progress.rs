@@ -9,7 +9,7 @@ use giveway_model::{Cost, Costs, Objective};
 use giveway_solve::words::known;
 use giveway_solve::{Host, Progress};
 
-use crate::{clock::Clock, output::plain};
+use crate::{clock::Clock, interrupt, output::plain};
 
 /// A command that answers faster shows no progress at all.
 const FIRST_SECONDS: f64 = 0.3;
@@ -25,8 +25,9 @@ pub(crate) struct CommandHost {
 
 impl CommandHost {
     /// A host with a progress line, unless `quiet` or standard error is no
-    /// terminal.
+    /// terminal. From now on Ctrl-C ends the search, whose best plan is told.
     pub(crate) fn new(clock: Clock, quiet: bool, objective: Objective) -> Self {
+        interrupt::listen();
         let shown = !quiet && io::stderr().is_terminal();
         Self {
             clock,
@@ -67,7 +68,7 @@ impl Host for CommandHost {
     /// Asked often, also while nothing becomes known: the seconds go on.
     fn cancelled(&self) -> bool {
         self.refresh();
-        false
+        interrupt::happened()
     }
 
     fn progress(&self, event: &Progress) {

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use giveway_model::format::{convert, from_object, native, schema};
+use giveway_formats::convert;
+use giveway_model::format::{from_object, native, schema};
 use giveway_model::question::from_words;
 use giveway_model::{Fault, Instance, Plan, Scene, compare};
 use giveway_proof::Bundle;
@@ -83,7 +84,8 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
             let converted = convert::convert(&read(text)?);
             return write(&converted.map_err(|faults| Failure::new(Code::BadText, faults))?);
         }
-        "read-files" => return write(&files::gathered(&read(text)?)?),
+        "decode" => return write(&files::decoded(&read(text)?)?),
+        "read-files" => return write(&files::combined(&read(text)?)?),
         "read-movingai" => return write(&files::moving_ai(&read(text)?)?),
         "read-scene" => {
             let read = native::read_instance(text);

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::format::foreign::{self, Conventions, ForeignPlan, Options, Source};
-use giveway_model::format::movingai;
-use giveway_model::{Fault, Instance, Scene};
+use giveway_formats::{Conventions, ForeignPlan, Options, Source, movingai};
+use giveway_model::format::decode;
+use giveway_model::{AtGoal, Fault, Instance, Scene};
 use serde::{Deserialize, Serialize};
 
 use crate::call::{Code, Failure};
@@ -18,6 +18,10 @@ pub(crate) struct FilesRequest {
     agents: Option<usize>,
     #[serde(default)]
     conventions: Option<Conventions>,
+    #[serde(default)]
+    at_goal: Option<AtGoal>,
+    #[serde(default)]
+    battery_floor: Option<u32>,
 }
 
 /// A scene and the plans for it.
@@ -29,19 +33,51 @@ pub(crate) struct Files {
 }
 
 /// Reads files by what they hold.
-pub(crate) fn gathered(request: &FilesRequest) -> Result<Files, Failure> {
+pub(crate) fn combined(request: &FilesRequest) -> Result<Files, Failure> {
     let options = Options {
         agents: request.agents,
         conventions: request.conventions,
+        at_goal: request.at_goal,
+        battery_floor: request.battery_floor,
     };
     let files = request.files.iter();
     let sources: Vec<Source<'_>> = files.map(|(name, text)| Source { name, text }).collect();
-    let gathered = foreign::gather(&sources, &options)
+    let combined = giveway_formats::combine(&sources, &options)
         .map_err(|refused| Failure::new(Code::BadText, refused.faults()))?;
     Ok(Files {
-        scene: gathered.instance.to_scene(),
-        plans: gathered.plans,
-        notes: gathered.notes,
+        scene: combined.instance.to_scene(),
+        plans: combined.plans,
+        notes: combined.notes,
+    })
+}
+
+/// The bytes of a file, each the letter of its number.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DecodeRequest {
+    bytes: String,
+    file: String,
+}
+
+/// A text, and what a person should know of how its bytes were read.
+#[derive(Serialize)]
+pub(crate) struct Decoded {
+    text: String,
+    note: Option<String>,
+}
+
+/// The text of bytes in any encoding that is known.
+pub(crate) fn decoded(request: &DecodeRequest) -> Result<Decoded, Failure> {
+    let bytes = request
+        .bytes
+        .chars()
+        .map(|c| u8::try_from(c).unwrap_or(b'?'));
+    let bytes: Vec<u8> = bytes.collect();
+    let (text, encoding) =
+        decode(&bytes).map_err(|fault| Failure::new(Code::BadText, vec![fault]))?;
+    Ok(Decoded {
+        text: text.into_owned(),
+        note: encoding.note(&request.file),
     })
 }
 

@@ -75,7 +75,9 @@ pub(crate) fn tasks(request: &SpecRequest) -> Result<Listed, Failure> {
             "a readable file",
         ))
     })?;
-    let spec = read_text(&bytes).and_then(Spec::read).map_err(wrong)?;
+    let spec = read_text(&bytes)
+        .and_then(|text| Spec::read(&text))
+        .map_err(wrong)?;
     let own = || path.parent().map(Path::to_owned).unwrap_or_default();
     let place = request.files.clone().unwrap_or_else(own);
     let folder = Folder::new(&place);

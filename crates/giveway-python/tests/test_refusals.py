@@ -74,10 +74,10 @@ def test_texts_have_the_line_of_what_is_none(tmp_path: Path) -> None:
         lambda: Scene.from_movingai(path, path),
     ]
     for read in readers:
-        with pytest.raises(BadText) as raised:
+        # The byte is a letter of Windows-1252, which is said; what is wrong is the rest.
+        with pytest.raises((BadText, giveway.BadInput)) as raised, pytest.warns(UserWarning, match="Windows-1252"):
             read()
-        [fault] = raised.value.faults
-        assert (fault.line, fault.column, fault.found) == (2, 11, "the byte 0xFF")
+        assert "0xFF" not in str(raised.value)
     for text in ("{", "\ud800", '{\n"giveway": }'):
         for record in (Scene, Plan, giveway.Answer):
             with pytest.raises(BadText):

@@ -7,9 +7,10 @@ export interface Agent {
   /** Unique and not empty. */
   name: string;
   start: Cell;
-  goal: Cell;
+  /** Left out or null, it may rest at any cell, and stays there. */
+  goal?: Cell | null;
   /** Cells to visit, in any order. */
-  waypoints?: Cell[];
+  waypoints?: Cell[] | null;
   /** In time steps; unlimited where left out or null. */
   battery?: { capacity: number; initial: number } | null;
 }
@@ -21,11 +22,24 @@ export interface Scene {
   /** Rows from the top: `.` free, `#` obstacle, `~` slow zone, `+` charger, `*` charger in the slow zone. */
   map: string[];
   /** By default agents stay at their goals, and the floor is 0. */
-  rules?: { at_goal?: "stay" | "vanish"; battery_floor?: number };
+  rules?: { at_goal?: "stay" | "vanish"; battery_floor?: number } | null;
   /** Costs to minimise, the most important first. */
-  objective?: Cost[];
+  objective?: Cost[] | null;
   agents: Agent[];
+  /** What the scene takes for granted, where it was read from a file of another maker. */
+  assumptions?: Assumption[];
 }
+
+/** Something that a scene takes for granted: whatever is said of it is said under that. */
+export type Assumption =
+  /** Goals or tasks were chosen out of those that the file leaves open. */
+  | { assumes: "goals-chosen" }
+  /** Its cell at each time from 0. Plans are judged with it; the search leaves it out. */
+  | { assumes: "moving-obstacle"; name: string; path: Cell[] }
+  /** A rule of the file's problem that scenes do not have: bounds hold with it, too; a plan that is found may break it. */
+  | { assumes: "rule-left-out"; rule: "turning" | "long-moves" | "errand-order" | "handling" }
+  /** A key of the file that is not heeded and may change the problem. */
+  | { assumes: "unknown-key"; key: string };
 
 /** Where each agent is at each time up to its arrival; null in transit. */
 export interface Plan {
@@ -113,7 +127,8 @@ export interface Stats {
 }
 
 /** What ended a search. Only time, memory and a person end the same search elsewhere each time. */
-export type Ended = "proof" | "work" | "conflicts" | "time" | "memory" | "cancelled" | "size" | "fault";
+export type Ended = "proof" | "work" | "conflicts" | "time" | "memory" | "cancelled" | "size" | "fault"
+  | "assumptions";
 
 export interface SolveAnswer {
   giveway: 1;
@@ -316,7 +331,7 @@ export type Verdict = "needless" | "improvable" | "costly" | "necessary" | "unkn
 
 /** A fact of the scene that can be left out. */
 export interface Fact {
-  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown";
+  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown" | "presence" | "rest";
   agents: string[];
   cell: Cell | null;
   /** Of a breakdown: when it began, and the time from which the agent may go on. */
@@ -444,6 +459,8 @@ export interface MethodAnswer extends SolveAnswer {
   added: string[];
   freed: string[];
   fewest: boolean;
+  /** The makespan up to which no fewer could be freed; left out where that holds for every one. */
+  fewest_within?: number;
   cause: Cause | null;
   closest: boolean;
 }
@@ -658,7 +675,7 @@ export type Farthest =
   | { status: "only" | "unknown" }
   | { status: "found"; plan: Plan; differs: number; most: Known };
 
-/** What must be so in every best plan, and what is free to choose. */
+/** What all best plans share, and what is free to choose. */
 export interface FreedomAnswer {
   giveway: 1;
   /** The parts are there only where it is `optimal`: they speak of all best plans. */
@@ -729,7 +746,7 @@ export type PlanEnd =
 
 /** What a planner has no method for. */
 export type Lack =
-  | { what: "batteries" | "waypoints" | "many-waypoints"; agent: string }
+  | { what: "no-goal" | "batteries" | "waypoints" | "many-waypoints"; agent: string }
   | { what: "shared-goals"; agents: [string, string] }
   | { what: "cost"; cost: Cost }
   | { what: "slow-zones" | "questions" };
@@ -827,7 +844,7 @@ export interface Comparison {
 /** A format of files. */
 export type Format =
   | "giveway" | "movingai" | "tracker" | "paths.txt" | "result.txt"
-  | "multi-robot" | "lorr" | "asprilo" | "mapfw";
+  | "multi-robot" | "lorr" | "asprilo" | "mapfw" | "class-project" | "grid";
 
 /** What the numbers and letters of a plan mean. */
 export interface Conventions {
@@ -842,6 +859,10 @@ export interface ReadOptions {
   agents?: number;
   /** How plans are to be read, instead of what fits best. */
   conventions?: Conventions;
+  /** What becomes of agents at their goals, instead of what the files say. */
+  at_goal?: "stay" | "vanish";
+  /** The level below which no battery may fall, instead of what the files say. */
+  battery_floor?: number;
 }
 
 /** A scene, and the plans for it in the order of the files' names. */
@@ -870,6 +891,8 @@ export interface ForeignPlan {
   headings: Record<string, ("east" | "south" | "west" | "north")[]>;
   notes: string[];
   plan: Plan;
+  /** What its file says that every plan costs at least (`loss` is of the plan itself). */
+  bounds: { makespan?: number; "sum-of-costs"?: number; "sum-of-loss"?: number; loss?: number };
 }
 
 export interface ConvertRequest {
@@ -965,8 +988,8 @@ export function convert(request: ConvertRequest): ConvertAnswer;
 /** The JSON Schema of all objects. */
 export function schema(): Schema;
 
-/** Reads files of any planner that belong together, told apart by what they hold. */
-export function readFiles(files: Record<string, string>, options?: ReadOptions): Files;
+/** Reads files of any planner that belong together, told apart by what they hold: texts, or bytes in UTF-8, UTF-16 or Windows-1252. */
+export function readFiles(files: Record<string, string | Uint8Array>, options?: ReadOptions): Files;
 
 /** Reads a scene in the project's own JSON, and checks it. */
 export function readScene(text: string): Scene;

@@ -29,7 +29,7 @@ export class Giveway {
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
   together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;
-  readFiles(files: Record<string, string>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
+  readFiles(files: Record<string, string | Uint8Array>, options?: ReadOptions, waiting?: Waiting): Promise<Files>;
   certify(request: CertifyRequest, waiting?: Waiting): Promise<Report>;
   exportCertificates(requests: Record<string, CertifyRequest>, waiting?: Waiting): Promise<Exported>;
   verify(request: VerifyRequest, waiting?: Waiting): Promise<Report>;

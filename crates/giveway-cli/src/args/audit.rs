@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use giveway_model::Objective;
 
-use super::{Address, First, Reading, seconds, whole};
+use super::{Address, First, Reading, Ruling, seconds, whole};
 
 /// A plan to audit, with the files that it needs.
 #[derive(Debug, ClapArgs)]
@@ -49,6 +49,8 @@ pub(crate) struct Audit {
     pub(crate) time_limit: f64,
     #[command(flatten)]
     pub(crate) reading: Reading,
+    #[command(flatten)]
+    pub(crate) ruling: Ruling,
     /// Write a report, too: a page (.html), a text (.md) or the JSON object (.json)
     #[arg(long, value_name = "FILE", conflicts_with = "jsonl")]
     pub(crate) report: Option<PathBuf>,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
 
-use super::{First, Reading};
+use super::{First, Reading, Ruling};
 
 /// Two plans of one instance, to be compared.
 #[derive(Debug, ClapArgs)]
@@ -26,4 +26,6 @@ pub(crate) struct Compare {
     pub(crate) first: First,
     #[command(flatten)]
     pub(crate) reading: Reading,
+    #[command(flatten)]
+    pub(crate) ruling: Ruling,
 }

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use giveway_model::format::foreign::Format;
+use giveway_formats::Format;
 
-use super::{First, Reading};
+use super::{First, Reading, Ruling};
 
 /// Files to write in another format.
 #[derive(Debug, ClapArgs)]
@@ -35,6 +35,8 @@ pub(crate) struct Convert {
     pub(crate) first: First,
     #[command(flatten)]
     pub(crate) reading: Reading,
+    #[command(flatten)]
+    pub(crate) ruling: Ruling,
 }
 
 /// The format of a name; clap offers the names.

@@ -2,7 +2,7 @@
 
 use clap::builder::PossibleValue;
 use clap::{Args as ClapArgs, ValueEnum};
-use giveway_model::format::foreign::{CellOrder, Origin, Up};
+use giveway_formats::{CellOrder, Origin, Up};
 
 /// The conventions that a person chose.
 #[derive(Clone, Copy, Debug, Default, ClapArgs)]

@@ -5,17 +5,17 @@ mod plan;
 
 use std::path::Path;
 
-use giveway_model::format::foreign::Gathered;
+use giveway_formats::Combined;
 use giveway_solve::audit::AuditStatus;
 
 use super::one_standard_input;
 use crate::{
-    args::{Audit, Common},
+    args::{Audit, Common, Ruling},
     clock::Clock,
     exit::Exit,
     failure::Failure,
-    input::{self, Source, foreign},
-    output::{self, files, report, text},
+    input::{Source, foreign},
+    output::{self, Said, files, report, text},
 };
 use plan::audited;
 
@@ -26,12 +26,13 @@ pub(crate) fn run(args: &Audit, common: &Common, clock: Clock) -> Result<Exit, F
     }
     let kind = args.report.as_deref().map(report_kind).transpose()?;
     let sources = args.files.iter().map(|path| Source::read(path));
-    let sources = sources.map(|source| input::bare(source?));
     let sources = sources.collect::<Result<Vec<Source>, Failure>>()?;
-    let gathered = foreign::gather(&sources, wanted(args, common))?;
-    let subject = only_plan(gathered)?;
+    let combined = foreign::combine(&sources, wanted(args, common))?;
+    let subject = only_plan(combined, args.ruling)?;
     let audited = audited(subject, args, common, clock)?;
-    output::answer(common.format, &audited.object(), |_| text::audit(&audited))?;
+    output::answer(common.format, &Said::default(), &audited.object(), |_| {
+        text::audit(&audited)
+    })?;
     if let (Some(path), Some(kind)) = (&args.report, kind) {
         let link = link(args, &audited);
         let text = report::write(kind, &audited, &command_line(args, common), &link)?;
@@ -52,24 +53,29 @@ fn link(args: &Audit, audited: &report::Audited) -> report::Link {
     report::Link::new(args.address.as_ref(), &scene, &audited.plan, &audited.notes)
 }
 
-/// How the files of a command line are gathered.
+/// How the files of a command line are combined.
 fn wanted<'a>(args: &Audit, common: &'a Common) -> foreign::Wanted<'a> {
     foreign::Wanted {
         map: common.map.as_deref(),
         agents: args.first.agents,
         reading: args.reading,
+        ruling: args.ruling,
     }
 }
 
 /// The one plan among the files, with its instance.
-fn only_plan(mut gathered: Gathered) -> Result<plan::Subject, Failure> {
-    let plans = gathered.plans.len();
-    match gathered.plans.pop() {
-        Some(plan) if plans == 1 => Ok(plan::Subject {
-            instance: gathered.instance,
-            notes: gathered.notes,
-            plan,
-        }),
+fn only_plan(mut combined: Combined, ruling: Ruling) -> Result<plan::Subject, Failure> {
+    let plans = combined.plans.len();
+    match combined.plans.pop() {
+        Some(plan) if plans == 1 => {
+            let mut notes = ruling.notes();
+            notes.extend(combined.notes);
+            Ok(plan::Subject {
+                instance: combined.instance,
+                notes,
+                plan,
+            })
+        }
         None => Err(Failure::Refused(vec![
             "There is no plan in these files.".to_owned(),
         ])),
@@ -104,7 +110,12 @@ fn command_line(args: &Audit, common: &Common) -> String {
     );
     option("agents", args.first.agents.map(|n| n.to_string()));
     option("within", args.within.map(|n| n.to_string()));
-    for (name, value) in args.reading.chosen() {
+    for (name, value) in args
+        .reading
+        .chosen()
+        .into_iter()
+        .chain(args.ruling.chosen())
+    {
         option(name, Some(value));
     }
     option("time-limit", Some(args.time_limit.to_string()));

@@ -9,37 +9,43 @@ use crate::{
     args::{Common, Compare},
     exit::Exit,
     failure::Failure,
-    input::{self, Source, foreign},
-    output::{self, text},
+    input::{Source, foreign},
+    output::{self, Said, text},
 };
 
 pub(crate) fn run(args: &Compare, common: &Common) -> Result<Exit, Failure> {
     one_standard_input(&args.files)?;
     let sources = args.files.iter().map(|path| Source::read(path));
-    let sources = sources.map(|source| input::bare(source?));
     let sources = sources.collect::<Result<Vec<Source>, Failure>>()?;
     let wanted = foreign::Wanted {
         map: common.map.as_deref(),
         agents: args.first.agents,
         reading: args.reading,
+        ruling: args.ruling,
     };
-    let gathered = foreign::gather(&sources, wanted)?;
-    let [one, other] = gathered.plans.as_slice() else {
+    let combined = foreign::combine(&sources, wanted)?;
+    let [one, other] = combined.plans.as_slice() else {
         return Err(Failure::Usage(format!(
             "found {}, expected two plans",
-            count(gathered.plans.len(), "plan")
+            count(combined.plans.len(), "plan")
         )));
     };
-    let instance = &gathered.instance;
+    let instance = &combined.instance;
     let compared = output::Compared {
         plans: [one, other].map(|plan| output::ComparedPlan {
             file: plan.file.clone(),
             format: plan.format,
             violations: check(instance, &plan.plan).violations.len(),
+            conventions: plan.words.iter().cloned().collect(),
         }),
         comparison: compare(instance, &one.plan, &other.plan),
     };
-    output::answer(common.format, &compared, |_| {
+    let mut said = Said::default();
+    said.add(args.ruling.notes());
+    said.add(combined.notes.iter().cloned());
+    said.add([one, other].into_iter().flat_map(|plan| plan.notes.clone()));
+    said.assume(instance);
+    output::answer(common.format, &said, &compared, |_| {
         text::compare(instance, &compared)
     })?;
     Ok(Exit::Answered)

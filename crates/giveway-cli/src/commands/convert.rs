@@ -3,7 +3,7 @@
 mod read;
 mod targets;
 
-use giveway_model::format::foreign::{Format, write};
+use giveway_formats::{Format, write};
 
 use crate::{
     args::{Common, Convert},
@@ -56,8 +56,9 @@ fn written(
         Content::Plan(plan) if by_itself => (None, Some(plan)),
         Content::Plan(plan) => (inputs.instance(), Some(plan)),
     };
-    let written =
+    let mut written =
         write(to, &item.stem, instance, plan).map_err(|fault| Failure::input(&item.name, fault))?;
+    written.losses.extend(item.lost.clone());
     if !written.losses.is_empty() && !common.quiet {
         stream::note(&format!(
             "{}: warning: {} files cannot hold {}",

@@ -4,14 +4,14 @@ use giveway_model::{Instance, Plan, change::History, question::Asked};
 use giveway_solve::explain::{ExplainRequest, Verdict};
 use giveway_solve::{Limits, Refusal, Request, Response, serve};
 
-use super::{one_standard_input, proof, refused, unexpected};
+use super::{one_standard_input, otherwise::refused_plan, proof, unexpected};
 use crate::{
     args::{Common, Explain},
     clock::Clock,
     exit::Exit,
     failure::Failure,
     input::{self, ChangesFile, is_standard_input},
-    output::{self, text},
+    output::{self, Said, text},
     progress::CommandHost,
 };
 
@@ -31,12 +31,16 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
     if let Some(folder) = &args.proof {
         proof::check_folder(folder)?;
     }
-    let mut instance = input::instance(&args.source, common)?;
+    let mut said = Said::default();
+    let mut instance = input::instance(&args.source, args.plan.as_deref(), common, &mut said)?;
     if let Some(objective) = &args.objective {
         instance = instance.with_objective(objective.clone());
     }
     let plan = args.plan.as_deref();
-    let plan = plan.map(|path| input::plan(path, &instance, common));
+    let plan = plan.map(|path| match &args.changes {
+        None => input::plan(path, &instance, common, &mut said),
+        Some(_) => input::plan_over_time(path, &instance, common, &mut said),
+    });
     let plan = plan.transpose()?;
     let changes = args.changes.as_deref().map(input::changes).transpose()?;
     let request = Request::Explain(ExplainRequest {
@@ -61,7 +65,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
     match response {
         Response::Explained(answer) => {
             let plan = plan.as_ref().or(answer.plan.as_ref());
-            output::answer(common.format, &answer, |columns| {
+            output::answer(common.format, &said, &answer, |columns| {
                 match history(args, &instance, changes.as_ref(), plan) {
                     None => text::explain(&instance, plan, &answer, columns),
                     Some((history, plan)) => {
@@ -85,7 +89,9 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         }
         Response::Refused(refusal) => Err(match (refusal, &changes) {
             (Refusal::Changes { faults }, Some(file)) => file.refused(faults),
-            (refusal, _) => refused(refusal, &args.source.instance),
+            (refusal, _) => {
+                refused_plan(refusal, &args.source.instance, (&instance, plan.as_ref()))
+            }
         }),
         _ => Err(unexpected(&args.source.instance)),
     }

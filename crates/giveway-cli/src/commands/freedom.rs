@@ -10,7 +10,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input,
-    output::{self, text},
+    output::{self, Said, text},
     progress::CommandHost,
 };
 
@@ -19,12 +19,13 @@ pub(crate) fn run(args: &Freedom, common: &Common, clock: Clock) -> Result<Exit,
     if let Some(folder) = &args.proof {
         proof::check_folder(folder)?;
     }
-    let mut instance = input::instance(&args.source, common)?;
+    let mut said = Said::default();
+    let mut instance = input::instance(&args.source, args.plan.as_deref(), common, &mut said)?;
     if let Some(objective) = &args.objective {
         instance = instance.with_objective(objective.clone());
     }
     let plan = args.plan.as_deref();
-    let plan = plan.map(|path| input::plan(path, &instance, common));
+    let plan = plan.map(|path| input::plan(path, &instance, common, &mut said));
     let request = Request::Freedom(FreedomRequest {
         scene: instance.to_scene(),
         plan: plan.transpose()?,
@@ -45,7 +46,7 @@ pub(crate) fn run(args: &Freedom, common: &Common, clock: Clock) -> Result<Exit,
     host.finish();
     match response {
         Response::Freedom(answer) => {
-            output::answer(common.format, &answer, |columns| {
+            output::answer(common.format, &said, &answer, |columns| {
                 text::freedom(&instance, &answer, columns)
             })?;
             if let Some(folder) = &args.proof {

@@ -8,6 +8,7 @@ mod convert;
 mod explain;
 mod freedom;
 mod manual;
+mod otherwise;
 mod picture;
 mod proof;
 mod solve;

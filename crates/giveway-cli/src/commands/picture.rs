@@ -16,7 +16,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input,
-    output::{files, raster::Raster, stream},
+    output::{Said, files, raster::Raster, stream},
     progress::FrameLine,
 };
 
@@ -41,8 +41,12 @@ pub(crate) fn run(args: &Picture, common: &Common, clock: Clock) -> Result<Exit,
     if let Some(output) = &args.output {
         spare([&args.source.instance, &args.plan], output)?;
     }
-    let instance = input::instance(&args.source, common)?;
-    let plan = input::plan(&args.plan, &instance, common)?;
+    let mut said = Said::default();
+    let instance = input::instance(&args.source, Some(&args.plan), common, &mut said)?;
+    let plan = input::plan(&args.plan, &instance, common, &mut said)?;
+    for note in said.notes() {
+        stream::note(&format!("note: {note}"));
+    }
     known(&instance, &plan, &args.plan)?;
     let look = look(args, &instance, kind);
     let bytes = match kind {

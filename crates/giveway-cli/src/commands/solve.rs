@@ -12,7 +12,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input,
-    output::{self, text},
+    output::{self, Said, text},
     progress::CommandHost,
 };
 
@@ -23,7 +23,8 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
     if let Some(folder) = &args.proof {
         proof::check_folder(folder)?;
     }
-    let instance = input::instance(&args.source, common)?;
+    let mut said = Said::default();
+    let instance = input::instance(&args.source, None, common, &mut said)?;
     let objective = args
         .objective
         .as_ref()
@@ -33,7 +34,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         check_front(&objective)?;
     }
     if let Some(planner) = args.planner {
-        return planned::run(planner, args, &instance, &objective, common, clock);
+        return planned::run(planner, args, (&instance, &objective), &said, common, clock);
     }
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
@@ -52,7 +53,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         Response::Solved(mut answer) => {
             // It goes into a file of its own.
             let trace = answer.trace.take();
-            output::answer(common.format, &answer, |columns| {
+            output::answer(common.format, &said, &answer, |columns| {
                 text::solve(&instance, &objective, &answer, columns)
             })?;
             if let Some((path, trace)) = args.trace.as_deref().zip(trace) {
@@ -70,7 +71,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
             Ok(exit(answer.status))
         }
         Response::Front(answer) => {
-            output::answer(common.format, &answer, |columns| {
+            output::answer(common.format, &said, &answer, |columns| {
                 text::front(&instance, &objective, &answer, columns)
             })?;
             Ok(exit(answer.status))

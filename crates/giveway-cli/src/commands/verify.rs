@@ -14,7 +14,7 @@ use crate::{
     args::{Common, Verify},
     exit::Exit,
     failure::Failure,
-    output::{self, text},
+    output::{self, Said, text},
 };
 
 /// The bytes of the manifest, and of any other file, beyond which a folder is no
@@ -47,9 +47,11 @@ pub(crate) fn run(args: &Verify, common: &Common) -> Result<Exit, Failure> {
     };
     match reports.certificates.first_key_value() {
         Some((_, report)) if reports.certificates.len() == 1 => {
-            output::answer(common.format, report, |_| text::verify(report))?;
+            output::answer(common.format, &Said::default(), report, |_| {
+                text::verify(report)
+            })?;
         }
-        _ => output::answer(common.format, &reports, |_| {
+        _ => output::answer(common.format, &Said::default(), &reports, |_| {
             text::verify_all(&reports.certificates)
         })?,
     }

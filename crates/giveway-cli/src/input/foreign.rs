@@ -2,19 +2,18 @@
 
 use std::path::{Path, PathBuf};
 
-use giveway_model::format::foreign::{
-    self, Conventions, ForeignPlan, Gathered, Missing, Options, Refused,
-};
-use giveway_model::{Instance, Plan, format::native};
+use giveway_formats::{Combined, Conventions, ForeignPlan, Missing, Options, Refused};
+use giveway_model::format::{base_name, native};
+use giveway_model::{Assumption, Instance, Plan, assumption};
 
-use super::Source;
+use super::{Source, instance::without_robots, is_standard_input};
 use crate::{
-    args::{Common, Reading},
+    args::{self, Common, Reading, Ruling},
     failure::Failure,
-    output::stream,
+    output::{Said, stream},
 };
 
-/// How files of a command line are gathered.
+/// How files of a command line are combined.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Wanted<'a> {
     /// The file of `--map`.
@@ -23,6 +22,8 @@ pub(crate) struct Wanted<'a> {
     pub(crate) agents: Option<usize>,
     /// How plans are to be read.
     pub(crate) reading: Reading,
+    /// The rules of the problem.
+    pub(crate) ruling: Ruling,
 }
 
 /// Matches files to each other. A map that is missing is the one of `--map`, or the
@@ -30,39 +31,54 @@ pub(crate) struct Wanted<'a> {
 ///
 /// # Errors
 /// When a file is wrong, a map is still missing, or they do not belong together.
-pub(crate) fn gather(sources: &[Source], wanted: Wanted<'_>) -> Result<Gathered, Failure> {
+pub(crate) fn combine(sources: &[Source], wanted: Wanted<'_>) -> Result<Combined, Failure> {
     let mut options = Options {
         agents: wanted.agents,
         conventions: None,
+        at_goal: wanted.ruling.at_goal(),
+        battery_floor: wanted.ruling.floor,
     };
     let mut sources = sources.to_vec();
-    let mut gathered = try_gather(&sources, &options);
+    let mut combined = try_combine(&sources, &options);
     if let Err(Refused::Missing {
         what: Missing::Map(name),
         ..
-    }) = &gathered
+    }) = &combined
         && let Some(path) = map_for(&sources, name.as_deref(), wanted.map)
     {
         sources.push(Source::read(&path)?);
-        gathered = try_gather(&sources, &options);
+        combined = try_combine(&sources, &options);
     }
-    let first = gathered.as_ref().ok().and_then(|all| all.plans.first());
+    if let Err(Refused::Missing {
+        what: Missing::Files(names),
+        ..
+    }) = &combined
+    {
+        for path in beside(&sources, names) {
+            sources.push(Source::read(&path)?);
+        }
+        combined = try_combine(&sources, &options);
+    }
+    let first = combined.as_ref().ok().and_then(|all| all.plans.first());
     if let Some(chosen) = first.and_then(|plan| wanted.reading.over(plan.conventions)) {
         options.conventions = Some(chosen);
-        gathered = try_gather(&sources, &options);
+        combined = try_combine(&sources, &options);
     }
-    gathered.map_err(|refused| failure(&sources, refused))
+    let mut combined = combined.map_err(|refused| failure(&sources, refused))?;
+    let notes = sources.iter().filter_map(|source| source.note.clone());
+    combined.notes.extend(notes);
+    Ok(combined)
 }
 
-fn try_gather(sources: &[Source], options: &Options) -> Result<Gathered, Refused> {
-    let texts: Vec<foreign::Source<'_>> = sources
+fn try_combine(sources: &[Source], options: &Options) -> Result<Combined, Refused> {
+    let texts: Vec<giveway_formats::Source<'_>> = sources
         .iter()
-        .map(|source| foreign::Source {
+        .map(|source| giveway_formats::Source {
             name: &source.name,
             text: &source.text,
         })
         .collect();
-    foreign::gather(&texts, options)
+    giveway_formats::combine(&texts, options)
 }
 
 /// The map of `--map`, else the file beside one of the files that has its name.
@@ -77,6 +93,20 @@ fn map_for(sources: &[Source], name: Option<&str>, given: Option<&Path>) -> Opti
         .filter_map(|source| source.path.as_ref()?.parent());
     let mut paths = folders.flat_map(|folder| names.iter().map(|name| folder.join(name)));
     paths.find(|path| path.is_file())
+}
+
+/// Those of some files that are beside one of the sources, by their names with their
+/// folders or without.
+fn beside(sources: &[Source], names: &[String]) -> Vec<PathBuf> {
+    let find = |name: &String| {
+        let folders = sources
+            .iter()
+            .filter_map(|source| source.path.as_ref()?.parent());
+        let mut paths =
+            folders.flat_map(|folder| [folder.join(name), folder.join(base_name(name))]);
+        paths.find(|path| path.is_file())
+    };
+    names.iter().filter_map(find).collect()
 }
 
 /// A refusal as a failure that names the files as the person wrote them.
@@ -104,54 +134,82 @@ fn failure(sources: &[Source], refused: Refused) -> Failure {
     }
 }
 
-/// The instance in a file of others, and what is to be noted of it.
+/// The instance in a file of others. Goals that the file leaves open are decided by the
+/// plan beside it, where that is a file.
 ///
 /// # Errors
-/// As [`gather`].
+/// As [`combine`].
 pub(crate) fn instance_in(
     source: Source,
-    agents: Option<usize>,
+    plan: Option<&Path>,
+    args: &args::Source,
     common: &Common,
+    said: &mut Said,
 ) -> Result<Instance, Failure> {
     let wanted = Wanted {
         map: common.map.as_deref(),
-        agents,
+        agents: args.first.agents,
+        ruling: args.ruling,
         ..Wanted::default()
     };
-    let gathered = gather(&[source], wanted)?;
-    for note in gathered.notes.iter().filter(|_| !common.quiet) {
-        stream::note(&format!("note: {note}"));
+    // Its note on the encoding was told when it was read.
+    let source = Source {
+        note: None,
+        ..source
+    };
+    let alone = combine(std::slice::from_ref(&source), wanted)?;
+    if alone.instance.agents().is_empty() {
+        return Err(source.fault(without_robots()));
     }
-    Ok(gathered.instance)
+    let is_open = alone
+        .instance
+        .assumptions()
+        .contains(&Assumption::GoalsChosen);
+    let plan = plan.filter(|path| is_open && !is_standard_input(path));
+    if let Some(plan) = plan.and_then(|path| Source::read(path).ok())
+        && let Ok(together) = combine(&[source, plan], wanted)
+    {
+        said.add(together.notes);
+        let objective = alone.instance.objective().clone();
+        return Ok(together.instance.with_objective(objective));
+    }
+    said.add(alone.notes);
+    Ok(alone.instance)
 }
 
 /// The plan in a file of others, read for an instance; how it was read is noted.
 ///
 /// # Errors
-/// As [`gather`].
+/// As [`combine`].
 pub(crate) fn plan_for(
     instance: &Instance,
     source: &Source,
     common: &Common,
+    said: &mut Said,
 ) -> Result<Plan, Failure> {
     let scene = Source {
         path: None,
         name: "the instance".to_owned(),
         text: native::write_scene(&instance.to_scene()),
+        note: None,
     };
-    let with_instance = gather(&[scene, source.clone()], Wanted::default());
-    let gathered = match with_instance {
+    let with_instance = combine(&[scene, source.clone()], Wanted::default());
+    let combined = match with_instance {
         // A file with an instance of its own: its plan is by names, too.
         Err(refused @ Failure::Refused(_)) => {
-            gather(std::slice::from_ref(source), Wanted::default()).map_err(|_| refused)?
+            combine(std::slice::from_ref(source), Wanted::default()).map_err(|_| refused)?
         }
-        gathered => gathered?,
+        combined => combined?,
     };
-    let plan = gathered.plans.into_iter().next();
+    let plan = combined.plans.into_iter().next();
     let plan = plan.ok_or_else(|| Failure::Refused(vec![no_plan(&source.name)]))?;
     if !common.quiet {
         stream::note(&format!("note: {}", how(&source.name, &plan)));
     }
+    said.add(plan.notes);
+    let new = combined.instance.assumptions().iter();
+    let new = new.filter(|one| !instance.assumptions().contains(one));
+    said.add(assumption::sentences(&new.cloned().collect::<Vec<_>>()));
     Ok(plan.plan)
 }
 

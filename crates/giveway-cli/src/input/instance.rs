@@ -1,49 +1,103 @@
 //! An instance from any of the formats that hold one.
 
-use giveway_model::{Fault, Instance, format::native, words::count};
+use std::path::Path;
 
-use super::{Kind, Maps, Scen, Source, foreign};
-use crate::{args, failure::Failure, output::stream};
+use giveway_model::format::native;
+use giveway_model::{Fault, Instance, words::count};
 
-/// Reads the instance of a command line, and tells its notes on standard error
-/// unless `quiet`.
+use super::{Kind, Maps, Scen, Source, foreign, is_standard_input};
+use crate::{
+    args,
+    failure::Failure,
+    output::{Said, stream},
+};
+
+/// Reads the instance of a command line, and adds its notes to what is said. Goals that its
+/// file leaves open are decided by the plan beside it.
 ///
 /// # Errors
 /// When a file cannot be read or is no instance, or `--map` has no use.
-pub(crate) fn instance(source: &args::Source, common: &args::Common) -> Result<Instance, Failure> {
-    let first = source.first.agents;
+pub(crate) fn instance(
+    source: &args::Source,
+    plan: Option<&Path>,
+    common: &args::Common,
+    said: &mut Said,
+) -> Result<Instance, Failure> {
+    let read = read(source, plan, common, said)?;
+    said.add(source.ruling.notes());
+    said.assume(&read);
+    Ok(read)
+}
+
+fn read(
+    source: &args::Source,
+    plan: Option<&Path>,
+    common: &args::Common,
+    said: &mut Said,
+) -> Result<Instance, Failure> {
+    let (first, ruling) = (source.first.agents, source.ruling);
     let text = Source::read(&source.instance)?;
+    said.add(text.note.clone());
     match Kind::of(&text) {
         Kind::Scenario => {
             let maps = Maps::new(&[], common.map.as_deref())?;
             let scen = Scen::read(text)?;
+            said.add(scen.note());
             let map = maps.of(&scen)?;
             if let Some(note) = map.note(&scen).filter(|_| !common.quiet) {
                 stream::note(&note);
             }
-            scen.instance(&map, first)
+            let alone = scen.instance(&map, first, ruling);
+            match (alone, plan.filter(|path| !is_standard_input(path))) {
+                // The plan may tell which lines count.
+                (Err(_), Some(plan)) => {
+                    let sources = [map.source, scen.source().clone(), Source::read(plan)?];
+                    let wanted = foreign::Wanted {
+                        agents: first,
+                        ruling,
+                        ..foreign::Wanted::default()
+                    };
+                    let together = foreign::combine(&sources, wanted)?;
+                    said.add(together.notes);
+                    Ok(together.instance)
+                }
+                (alone, _) => alone,
+            }
         }
-        Kind::Foreign => foreign::instance_in(text, first, common),
-        Kind::Map => Err(text.fault(Fault::at(
-            "",
-            "a map, which has no robots",
-            "an instance, such as a scenario of this map",
-        ))),
-        Kind::Scene | Kind::Plan | Kind::Answer if common.map.is_none() => native(&text, first),
-        Kind::Scene | Kind::Plan | Kind::Answer => Err(Failure::Usage(format!(
+        Kind::Foreign => foreign::instance_in(text, plan, source, common, said),
+        Kind::Map => Err(text.fault(without_robots())),
+        Kind::Native if common.map.is_none() => native(&text, first, ruling),
+        Kind::Native => Err(Failure::Usage(format!(
             "--map is for a scenario, and {} is not one",
             text.name
         ))),
     }
 }
 
+/// A map alone where an instance is expected.
+pub(super) fn without_robots() -> Fault {
+    Fault::at(
+        "",
+        "a map, which has no robots",
+        "an instance, such as a scenario of this map",
+    )
+}
+
 /// Reads a native instance, and keeps its first agents.
 ///
 /// # Errors
 /// Every fault of the whole file, or too few agents.
-pub(crate) fn native(source: &Source, first: Option<usize>) -> Result<Instance, Failure> {
-    let mut instance =
-        native::read_instance(&source.text).map_err(|faults| source.faults(faults))?;
+pub(crate) fn native(
+    source: &Source,
+    first: Option<usize>,
+    ruling: args::Ruling,
+) -> Result<Instance, Failure> {
+    giveway_formats::read(&source.text).map_err(|faults| source.faults(faults))?;
+    // What is no instance is named by the reader of one.
+    let mut scene = native::read_scene(&source.text).map_err(|fault| source.fault(fault))?;
+    ruling.set(&mut scene.rules);
+    let mut instance = Instance::new(scene)
+        .map_err(|faults| source.faults(native::in_text(&source.text, faults)))?;
     let Some(first) = first else {
         return Ok(instance);
     };

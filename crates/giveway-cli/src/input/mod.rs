@@ -11,6 +11,6 @@ mod source;
 pub(crate) use changes::{ChangesFile, changes};
 pub(crate) use instance::{instance, native};
 pub(crate) use kind::Kind;
-pub(crate) use plan::{bare, plan, plan_in};
+pub(crate) use plan::{is_plan, plan, plan_in, plan_over_time};
 pub(crate) use scenario::{Map, Maps, Scen};
 pub(crate) use source::{Source, is_standard_input};

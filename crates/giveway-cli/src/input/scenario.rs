@@ -2,13 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use giveway_model::{
-    Fault, Grid, Instance,
-    format::movingai::{self, Scenario},
-};
+use giveway_formats::movingai::{self, Route, Scenario};
+use giveway_model::{Fault, Grid, Instance};
 
 use super::Source;
-use crate::failure::Failure;
+use crate::{args::Ruling, failure::Failure};
 
 /// A scenario as it was read.
 pub(crate) struct Scen {
@@ -39,9 +37,15 @@ impl Map {
     /// # Errors
     /// When the text is no map.
     pub(crate) fn read(source: Source) -> Result<Self, Failure> {
-        match movingai::read_map(&source.text) {
+        let grid = match giveway_formats::read(&source.text) {
+            Ok((_, giveway_formats::Held::Map(grid, _))) => Ok(grid),
+            // What is no map is named by the reader of one.
+            Ok(_) => movingai::read_map(&source.text).map_err(|fault| vec![fault]),
+            Err(faults) => Err(faults),
+        };
+        match grid {
             Ok(grid) => Ok(Self { source, grid }),
-            Err(fault) => Err(source.fault(fault)),
+            Err(faults) => Err(source.faults(faults)),
         }
     }
 
@@ -76,16 +80,54 @@ impl Scen {
         }
     }
 
+    /// What a person should know of the file, where there is something.
+    pub(crate) fn note(&self) -> Option<String> {
+        let note = self.scenario.note()?;
+        Some(format!("{}: {note}", self.source.name))
+    }
+
     /// Its instance on a map, with the first agents or all of them.
     ///
     /// # Errors
     /// When the map has another size than the scenario says, the scenario has
     /// too few lines, or two of its agents exclude each other.
-    pub(crate) fn instance(&self, map: &Map, first: Option<usize>) -> Result<Instance, Failure> {
+    pub(crate) fn instance(
+        &self,
+        map: &Map,
+        first: Option<usize>,
+        ruling: Ruling,
+    ) -> Result<Instance, Failure> {
         let name = self.source.stem().unwrap_or_default();
-        let scene = movingai::to_scene(&name, &map.grid, &self.scenario, first)
-            .map_err(|fault| self.source.fault(fault))?;
+        let scene = movingai::to_scene(&name, &map.grid, &self.scenario, first);
+        let mut scene =
+            scene.map_err(|fault| self.source.faults(self.faults(map, first, fault)))?;
+        ruling.set(&mut scene.rules);
         Instance::new(scene).map_err(|faults| self.source.faults(faults))
+    }
+
+    /// Every line that is no task on the map, else the one fault.
+    fn faults(&self, map: &Map, first: Option<usize>, fault: Fault) -> Vec<Fault> {
+        let alone = |route: &Route| {
+            let one = Scenario {
+                lacks_version: false,
+                routes: vec![route.clone()],
+            };
+            movingai::to_scene("", &map.grid, &one, Some(1)).err()
+        };
+        let routes = self.scenario.routes.iter();
+        let routes = routes.take(first.unwrap_or(usize::MAX));
+        let faults: Vec<Fault> = routes.clone().filter_map(alone).collect();
+        // All lines at once are wrong where the map is another one.
+        if faults.is_empty() || faults.len() == routes.len() {
+            vec![fault]
+        } else {
+            faults
+        }
+    }
+
+    /// The text that it was read from.
+    pub(crate) const fn source(&self) -> &Source {
+        &self.source
     }
 
     /// The name of its map, without folders; empty where it has none.

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use giveway_model::{Fault, format::read_text};
+use giveway_model::{Fault, format::decode};
 
 use crate::failure::Failure;
 
@@ -20,6 +20,8 @@ pub(crate) struct Source {
     pub(crate) name: String,
     /// The text, without the mark of its encoding.
     pub(crate) text: String,
+    /// What a person should know of how its bytes were read.
+    pub(crate) note: Option<String>,
 }
 
 /// Whether the argument stands for standard input.
@@ -48,10 +50,14 @@ impl Source {
                 .map_err(|error| unreadable(&error))
                 .and_then(read_bytes)
         };
-        let text = bytes.and_then(|bytes| read_text(&bytes).map(str::to_owned));
-        match text {
-            Ok(text) => Ok(Self {
+        let decoded = bytes.and_then(|bytes| {
+            let (text, encoding) = decode(&bytes)?;
+            Ok((text.into_owned(), encoding))
+        });
+        match decoded {
+            Ok((text, encoding)) => Ok(Self {
                 path: (!standard).then(|| path.to_owned()),
+                note: encoding.note(&name),
                 name,
                 text,
             }),

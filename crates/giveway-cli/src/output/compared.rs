@@ -1,7 +1,9 @@
 //! Two plans compared, as they are written for programs.
 
+use std::collections::BTreeMap;
+
+use giveway_formats::Format;
 use giveway_model::compare::Comparison;
-use giveway_model::format::foreign::Format;
 use serde::Serialize;
 
 /// Two plans, and how they compare.
@@ -20,4 +22,6 @@ pub(crate) struct ComparedPlan {
     pub(crate) format: Format,
     /// The number of rules that it breaks, each time it does.
     pub(crate) violations: usize,
+    /// How it was read: what it is about, and how.
+    pub(crate) conventions: BTreeMap<String, String>,
 }

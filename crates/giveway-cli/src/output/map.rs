@@ -46,11 +46,7 @@ pub(crate) fn draw_over_time(instance: &Instance, history: &History, columns: us
     let mut scene = instance.to_scene();
     scene.map = history.last_grid().rows();
     let there = history.timelines().iter().filter(|it| it.until.is_none());
-    scene.agents = there.map(|it| history.agent_now(it, None)).collect();
-    for agent in &mut scene.agents {
-        agent.waypoints.sort_unstable();
-        agent.waypoints.dedup();
-    }
+    scene.agents = there.map(|it| it.agent_now(None)).collect();
     let mut drawn = Instance::new(scene.clone());
     if drawn.is_err() {
         scene.agents.clear();
@@ -167,7 +163,7 @@ impl<'a> Drawing<'a> {
 
 /// `B = robot`, where the agent has a letter.
 fn name_of((i, agent): (usize, &Agent)) -> Option<String> {
-    let name = plain::cut(&plain::text(&agent.name), 24);
+    let name = plain::cut_middle(&plain::text(&agent.name), 40);
     Some(format!("{} = {name}", letter(i)?))
 }
 
@@ -207,7 +203,7 @@ mod tests {
                 .map(|&(name, [x, y, goal_x, goal_y], waypoints)| Agent {
                     name: name.to_owned(),
                     start: Cell::new(x, y),
-                    goal: Cell::new(goal_x, goal_y),
+                    goal: Some(Cell::new(goal_x, goal_y)),
                     waypoints: waypoints.iter().map(|w| Cell::new(w[0], w[1])).collect(),
                     battery: None,
                 })

@@ -38,7 +38,9 @@ fn letters(instance: &Instance) -> BTreeMap<Cell, String> {
     }
     for (agent, letter) in lettered() {
         let small = letter.to_ascii_lowercase();
-        marks.entry(agent.goal).or_default().push(small);
+        if let Some(goal) = agent.goal {
+            marks.entry(goal).or_default().push(small);
+        }
         for &waypoint in &agent.waypoints {
             let mark = marks.entry(waypoint).or_default();
             mark.push(small);
@@ -55,8 +57,8 @@ fn kinds(instance: &Instance) -> BTreeMap<Cell, String> {
             kinds.insert(waypoint, 'w');
         }
     }
-    for agent in instance.agents() {
-        kinds.insert(agent.goal, 'G');
+    for goal in instance.agents().iter().filter_map(|agent| agent.goal) {
+        kinds.insert(goal, 'G');
     }
     for agent in instance.agents() {
         let kind = kinds.entry(agent.start).or_default();

@@ -17,7 +17,7 @@ use giveway_model::{
 
 use super::plain;
 use blocks::{blocks, legend};
-use rows::{agent_rows, life_rows, rows};
+use rows::{agent_rows, life_rows, rows, tell_apart};
 
 /// With more agents, only the arrivals are listed.
 const MAX_AGENTS: usize = 40;
@@ -34,11 +34,12 @@ const TOO_LARGE: &str =
 pub(crate) fn draw(instance: &Instance, plan: &Plan, columns: usize) -> String {
     let mut plan = plan.clone();
     plan.cut_trailing_goals(instance);
-    let rows = if instance.agents().len() > MAX_AGENTS {
+    let mut rows = if instance.agents().len() > MAX_AGENTS {
         Vec::new()
     } else {
         rows(instance, &plan)
     };
+    tell_apart(&mut rows);
     let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
     if instance.agents().is_empty() {
         String::new()
@@ -68,6 +69,7 @@ pub(crate) fn draw_over_time(history: &History, plan: &Plan, columns: usize) -> 
             &levels,
         ));
     }
+    tell_apart(&mut rows);
     let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
     if timelines.is_empty() {
         String::new()
@@ -108,6 +110,7 @@ pub(crate) fn beside(instance: &Instance, plan: &Plan, other: &Plan, columns: us
         }
         rows.append(&mut own);
     }
+    tell_apart(&mut rows);
     let times = rows.iter().map(|row| row.entries.len()).max().unwrap_or(0);
     if times > MAX_TIMES {
         return summary(instance, &other);
@@ -128,13 +131,13 @@ fn summary(instance: &Instance, plan: &Plan) -> String {
         "robot", "start", "goal", "arrival", "charges"
     );
     for (agent, arrival) in instance.agents().iter().zip(arrivals(instance, plan)) {
-        let name = plain::cut(&plain::text(&agent.name), NAME_COLUMNS);
+        let name = plain::cut_middle(&plain::text(&agent.name), NAME_COLUMNS);
         let _ = writeln!(
             text,
             "{} {:>11} {:>11} {:>8} {:>8}",
             plain::pad_right(&name, NAME_COLUMNS),
             agent.start.to_string(),
-            agent.goal.to_string(),
+            agent.goal.map_or("any".to_owned(), |goal| goal.to_string()),
             arrival.map_or("none".to_owned(), |t| t.to_string()),
             plan.charges(&agent.name).len(),
         );

@@ -37,8 +37,17 @@ fn title(instance: &Instance) -> String {
     } else {
         plain::text(instance.name())
     };
+    let vanish = if instance.stays() {
+        ""
+    } else {
+        ", which vanish at their goals"
+    };
+    let floor = match instance.rules().battery_floor {
+        0 => String::new(),
+        floor => format!(", battery floor {floor}"),
+    };
     format!(
-        "{}: {} x {} cells, {}\n",
+        "{}: {} x {} cells, {}{vanish}{floor}\n",
         bold(&name),
         grid.width(),
         grid.height(),

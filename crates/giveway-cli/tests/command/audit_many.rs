@@ -5,6 +5,7 @@ use std::fs;
 use serde_json::{Value, json};
 
 use crate::audit::{fits, folder};
+use crate::run::{Folder, WAREHOUSE, WAREHOUSE_PLAN};
 
 #[test]
 fn a_batch_goes_on_after_a_file_that_is_wrong() {
@@ -96,6 +97,28 @@ fn a_report_needs_nothing_else() {
 }
 
 #[test]
+fn the_map_of_a_report_has_chargers_and_the_slow_zone_with_their_legend() {
+    let folder = Folder::with(&[("s.json", WAREHOUSE), ("p.json", WAREHOUSE_PLAN)]);
+    let run = folder.run("audit s.json p.json --report r.html");
+    assert_eq!((run.exit, run.err.as_str()), (Some(0), ""));
+    let html = folder.read("r.html");
+    assert_eq!(html.matches("class=\"charger\"").count(), 2);
+    // Both rows of the slow zone: six cells each.
+    assert!(
+        html.contains("<path class=\"slow\" d=\"M2 0h6v1h-6z\"/>"),
+        "{html}"
+    );
+    assert!(html.contains("Yellow with a bolt: chargers. Hatched: the slow zone."));
+    assert!(!html.contains("Red: where"), "no rule is broken");
+    let plain = self::folder();
+    let run = plain.run("audit two.json crash.json --report r.html");
+    assert_eq!(run.exit, Some(1));
+    let html = plain.read("r.html");
+    assert!(!html.contains("class=\"charger\"") && !html.contains("Yellow"));
+    assert!(html.contains("Red: where a rule is broken."));
+}
+
+#[test]
 fn a_report_links_to_the_page_at_an_address() {
     let folder = folder();
     for name in ["r.html", "r.md", "r.json"] {
@@ -107,7 +130,7 @@ fn a_report_links_to_the_page_at_an_address() {
     let json: Value = serde_json::from_str(&folder.read("r.json")).unwrap();
     fits("auditResult", &json);
     let link = json["link"].as_str().unwrap();
-    let begin = "https://example.org/giveway/#giveway=1&map=";
+    let begin = "https://example.org/giveway/#giveway=1&check=";
     assert!(link.starts_with(begin), "{link}");
     assert!(
         link.contains("&name=two&") && link.contains("&audit="),

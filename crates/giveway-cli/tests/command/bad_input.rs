@@ -151,14 +151,14 @@ fn an_empty_file() {
         "",
         &expect![[r#"
         exit 1
-        scene.json: line 1, column 1: found an empty file, expected a JSON object
+        scene.json: line 1, column 1: found an empty file, expected a map, a scenario, an instance or a plan of a known format
     "#]],
     );
     check_text(
         " \n\n",
         &expect![[r#"
         exit 1
-        scene.json: line 1, column 1: found an empty file, expected a JSON object
+        scene.json: line 1, column 1: found an empty file, expected a map, a scenario, an instance or a plan of a known format
     "#]],
     );
 }
@@ -169,7 +169,7 @@ fn not_json() {
         "warehouse",
         &expect![[r#"
         exit 1
-        scene.json: line 1, column 1: found "w", expected a JSON object
+        scene.json: line 1, column 1: found "warehouse", expected a map, a scenario, an instance or a plan of a known format
     "#]],
     );
     check_text(
@@ -184,10 +184,10 @@ fn not_json() {
 #[test]
 fn not_utf8() {
     check_text(
-        b"{ \"giveway\": 1,\n \"name\": \"\xff\" }",
+        b"{ \"giveway\": 1,\n \"name\": \"\xc3\xa9\xff\" }",
         &expect![[r#"
             exit 1
-            scene.json: line 2, column 11: found the byte 0xFF, expected text in UTF-8
+            scene.json: line 2, column 12: found the byte 0xFF, expected text in UTF-8, UTF-16 or Windows-1252
         "#]],
     );
 }
@@ -208,7 +208,7 @@ fn ten_megabytes_of_noise() {
         &noise,
         &expect![[r#"
         exit 1
-        scene.json: line 1, column 2: found the byte 0x82, expected text in UTF-8
+        scene.json: line 1, column 2: found the byte 0x82, expected text in UTF-8, UTF-16 or Windows-1252
     "#]],
     );
     let letters: Vec<u8> = noise.iter().map(|byte| b' ' + byte % 95).collect();
@@ -216,7 +216,7 @@ fn ten_megabytes_of_noise() {
         &letters,
         &expect![[r#"
         exit 1
-        scene.json: line 1, column 2: found a number written in a wrong way, expected one such as 12
+        scene.json: line 1, column 1: found "-Cf#-AN08R J*q^!-S`T?\M`$+W.XEhdrMK_.O$nYd^{UiOP#N...", expected a map, a scenario, an instance or a plan of a known format
     "#]],
     );
     check_text(

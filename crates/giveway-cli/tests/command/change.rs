@@ -1,9 +1,13 @@
 //! `giveway change`, and `giveway check --changes`.
 
+use std::io::Write as _;
+use std::process::Stdio;
+use std::time::Duration;
+
 use expect_test::expect;
 use serde_json::{Value, json};
 
-use crate::run::Folder;
+use crate::run::{Folder, command};
 
 const SCENE: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.json");
 const PLAN: &str = include_str!("../../../../tests/data/seed/dynamic-3x3.plan.json");
@@ -182,4 +186,61 @@ fn an_obstacle_on_a_path_frees_one_agent_and_says_why() {
         (&Value::Null, &json!("A1"))
     );
     assert_eq!(revise["kept"], json!(["A2"]));
+}
+
+/// A breakdown of 10,000 steps is taken, a longer one refused with that limit.
+#[test]
+fn delays_have_a_limit_that_is_named() {
+    for (steps, is_taken) in [
+        (5000_u32, true),
+        (10_000, true),
+        (10_001, false),
+        (4_000_000, false),
+    ] {
+        let delay = format!(
+            r#"{{ "giveway": 1, "changes": [ {{ "at": 3, "change": "delay-agent", "agent": "R2", "steps": {steps} }} ] }}"#
+        );
+        let folder = Folder::with(&[
+            ("lane.json", include_str!("data/lane.json").to_owned()),
+            (
+                "lane.plan.json",
+                include_str!("data/lane.plan.json").to_owned(),
+            ),
+            ("delay.json", delay),
+        ]);
+        let run = folder.run("check lane.json lane.plan.json --changes delay.json");
+        if is_taken {
+            assert!(!run.err.contains("at most"), "{steps}: {}", run.err);
+        } else {
+            let told = format!("found a delay of {steps} steps, expected at most 10000");
+            assert!(run.err.contains(&told), "{steps}: {}", run.err);
+            assert_eq!(run.exit, Some(1), "{steps}");
+        }
+    }
+}
+
+/// As for `solve`, the time that reading takes is part of the limit.
+#[test]
+fn what_reading_takes_is_part_of_the_limit() {
+    let folder = folder();
+    let run = |wait: Duration| {
+        let line = "change scene.json plan.json - --method replan --time-limit 2 --format json";
+        let mut child = command()
+            .args(line.split_whitespace())
+            .current_dir(folder.path(""))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(wait);
+        let mut input = child.stdin.take().unwrap();
+        input.write_all(CHANGES.as_bytes()).unwrap();
+        drop(input);
+        let output = child.wait_with_output().unwrap();
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()["methods"]["replan"].clone()
+    };
+    assert_eq!(run(Duration::ZERO)["status"], "optimal");
+    let late = run(Duration::from_secs(3));
+    assert_ne!(late["status"], "optimal", "{late}");
+    assert_eq!(late["ended"], "time", "{late}");
 }

@@ -115,7 +115,7 @@ fn a_result_without_a_plan() {
     );
     expect![[r#"
         exit 1
-        standard input: plan: found a result without a plan, expected a plan
+        standard input: line 1, column 1: found a result that says that there is no plan (impossible), expected a plan
     "#]]
     .assert_eq(&run.refusal());
 }

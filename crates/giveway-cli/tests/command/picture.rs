@@ -252,3 +252,55 @@ fn a_gif_that_would_be_too_large_is_refused() {
     );
     assert!(!folder.path("two.gif").exists());
 }
+
+/// Each robot looks different on a picture without fonts, whatever letters its name has.
+#[test]
+fn names_in_any_script_are_told_apart() {
+    for names in [
+        ["\u{8f66}1", "\u{410}1", "\u{2603}"],
+        ["\u{5d0}\u{5d1}", "\u{5d2}", "\u{1f916}"],
+        ["carrier", "carton", "cart"],
+        [
+            "Transporter_in_hall_East_01",
+            "Transporter_in_hall_East_02",
+            " ",
+        ],
+    ] {
+        let agents: Vec<String> = (0..3)
+            .map(|x| {
+                format!(
+                    r#"{{ "name": "{}", "start": [{x}, 0], "goal": [{x}, 0] }}"#,
+                    names[x]
+                )
+            })
+            .collect();
+        let scene = format!(
+            r#"{{ "giveway": 1, "map": ["..."], "agents": [{}] }}"#,
+            agents.join(", ")
+        );
+        let paths: Vec<String> = (0..3)
+            .map(|x| format!(r#""{}": [[{x}, 0]]"#, names[x]))
+            .collect();
+        let plan = format!(r#"{{ "giveway": 1, "paths": {{ {} }} }}"#, paths.join(", "));
+        let folder = Folder::with(&[("names.json", scene), ("plan.json", plan)]);
+        // One look for all: what is different then is what stands on the forms.
+        let run = folder.run("picture names.json plan.json --cell 64 -o names.png");
+        assert_eq!(run.exit, Some(0), "{}", run.err);
+        let svg = folder.run("picture names.json plan.json --cell 64").out;
+        assert_eq!(svg.matches("<title>").count(), 4, "{names:?}");
+        let badges: Vec<&str> = svg
+            .split("font-weight=\"700\"")
+            .skip(1)
+            .filter_map(|text| text.split('>').nth(1)?.split('<').next())
+            .collect();
+        assert_eq!(badges.len(), 3, "{names:?}: {badges:?}");
+        assert!(
+            badges.iter().all(|badge| !badge.trim().is_empty()),
+            "{badges:?}"
+        );
+        assert!(
+            badges[0] != badges[1] && badges[1] != badges[2] && badges[0] != badges[2],
+            "{badges:?}"
+        );
+    }
+}

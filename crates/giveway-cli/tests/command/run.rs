@@ -21,6 +21,7 @@ pub(crate) struct Folder {
 }
 
 /// How a run ended.
+#[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) exit: Option<i32>,
     pub(crate) out: String,

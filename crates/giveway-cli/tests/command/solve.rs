@@ -196,3 +196,49 @@ fn two_runs_give_one_plan() {
     let plan = || folder.run("solve scene.json --format json").json()["plan"].clone();
     assert_eq!(plan(), plan());
 }
+
+/// Long names are cut where those of a fleet are alike, and never read the same.
+#[test]
+fn long_names_are_told_apart_in_the_table() {
+    for (names, expect) in [
+        (
+            ["Transporter_in_hall_East_01", "Transporter_in_hall_East_02"],
+            ["Transpo…_East_01", "Transpo…_East_02"],
+        ),
+        (
+            [
+                "hall_01_Transporter_of_pallets",
+                "hall_02_Transporter_of_pallets",
+            ],
+            ["hall_01…_pallets", "hall_02…_pallets"],
+        ),
+        (
+            [
+                "Transporter_in_hall_1_of_the_depot",
+                "Transporter_in_hall_2_of_the_depot",
+            ],
+            ["Transp…e_depot·1", "Transp…e_depot·2"],
+        ),
+    ] {
+        let scene = format!(
+            r#"{{ "giveway": 1, "map": [".."], "agents": [
+                {{ "name": "{}", "start": [0, 0], "goal": [0, 0] }},
+                {{ "name": "{}", "start": [1, 0], "goal": [1, 0] }} ] }}"#,
+            names[0], names[1]
+        );
+        let run = Folder::scene(scene).run("solve scene.json");
+        for label in expect {
+            assert!(run.out.contains(label), "{label} in {}", run.out);
+        }
+    }
+}
+
+/// A name that is written from right to left turns nothing round beside it.
+#[test]
+fn names_from_right_to_left_are_isolated() {
+    let scene = "{ \"giveway\": 1, \"map\": [\".#.\"], \"agents\": [ \
+        { \"name\": \"\u{5e8}\u{5d1} 1\", \"start\": [0, 0], \"goal\": [2, 0] } ] }";
+    let run = Folder::scene(scene).run("solve scene.json");
+    let isolated = "\u{2068}\u{5e8}\u{5d1} 1\u{2069}";
+    assert!(run.out.contains(isolated), "{:?}", run.out);
+}

@@ -13,11 +13,11 @@ from giveway.functions import (
     Objective, audit, change, check, compare, explain, export, freedom, pareto, schema, solve, together,
 )
 from giveway.plan import Animation, Plan
-from giveway.scene import Agent, Battery, Cell, Cost, Rules, Scene
+from giveway.scene import Agent, Assumption, Battery, Cell, Cost, Rules, Scene
 
 __all__ = [
-    "Agent", "AgentComparison", "Alone", "Animation", "Answer", "AuditAnswer", "BadInput", "BadScene", "BadText", "Battery",
-    "Broken", "Cell", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Comparison", "Converted", "Cost",
+    "Agent", "AgentComparison", "Alone", "Animation", "Answer", "Assumption", "AuditAnswer", "BadInput", "BadScene",
+    "BadText", "Battery", "Broken", "Cell", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Comparison", "Converted", "Cost",
     "Costs", "Ended", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front",
     "GivewayError", "MethodAnswer", "Objective", "Plan", "Planner", "PlannerAnswer", "PlannerStats", "Progress", "Report",
     "Rules", "Scene", "Stats", "Status", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "compare",

@@ -68,7 +68,8 @@ def scene(of: Scene) -> str:
     for number, agent in enumerate(of.agents):
         colour = COLOURS[number % len(COLOURS)]
         x, y = _point(agent.start)
-        inner.append(_goal(agent.goal, colour))
+        if agent.goal is not None:
+            inner.append(_goal(agent.goal, colour))
         inner.append(f'<g transform="translate({x} {y})">{_robot(agent.name, colour)}</g>')
     return _sheet(of, inner)
 

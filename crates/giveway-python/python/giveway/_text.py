@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import warnings
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -25,11 +27,26 @@ def decoded(text: str | bytes, place: str = "") -> str:
         return text
     if not isinstance(text, (bytes, bytearray)):
         raise TypeError(f"expected a text or its bytes, found {type(text).__name__}")
+    if b"\0" not in text:
+        try:
+            return text.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            pass  # another encoding, or no text
+    return _of_bytes(bytes(text), place)
+
+
+def _of_bytes(raw: bytes, place: str) -> str:
+    """Bytes that are not UTF-8, by the decoder that all parts of Giveway share."""
+    from giveway._door import call  # the door needs texts itself
+    from giveway.errors import BadText
+
     try:
-        return text.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        good = text[:error.start].decode("utf-8", errors="replace")
-        raise _refusal(good, f"the byte 0x{text[error.start]:02X}", "text in UTF-8", place) from None
+        read = call("decode", {"bytes": raw.decode("latin-1"), "file": place or "the file"})
+    except BadText as error:
+        raise BadText(tuple(replace(fault, place=place) for fault in error.faults)) from None
+    if read["note"]:
+        warnings.warn(read["note"], stacklevel=3)
+    return str(read["text"])
 
 
 def parsed(text: str) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 from giveway import _bundle
 from giveway._door import OnProgress, ShouldStop, call, without_none
@@ -19,12 +19,14 @@ AnyFiles = Union[Mapping[str, str], str, "PathLike[str]", Sequence[Union[str, "P
 
 def read_files(
     files: AnyFiles, *, agents: int | None = None, conventions: Mapping[str, str] | None = None,
+    at_goal: Literal["stay", "vanish"] | None = None, battery_floor: int | None = None,
 ) -> Files:
     """Reads files that belong together, of any planner: a scene, and the plans for it.
 
     What a format leaves open (rows or columns first, from 0 or 1, up or down) is read as it fits best;
     the plan says how, and why. ``agents`` takes the first of a scenario; ``conventions`` says how to read:
-    ``cells``, ``origin`` and ``up``, as an alternative of a plan has them.
+    ``cells``, ``origin`` and ``up``, as an alternative of a plan has them. ``at_goal`` and ``battery_floor``
+    set the rules instead of the files.
 
     >>> read = read_files({
     ...     "a.map": "type octile\\nheight 1\\nwidth 3\\nmap\\n...\\n",
@@ -34,7 +36,10 @@ def read_files(
     >>> read.plans[0].conventions["cells"], list(read.plans[0].plan.paths.values())
     ('row, column', [((0, 0), (1, 0), (2, 0))])
     """
-    read = call("read-files", without_none(files=texts(files), agents=agents, conventions=conventions))
+    read = call("read-files", without_none(
+        files=texts(files), agents=agents, conventions=conventions,
+        at_goal=at_goal, battery_floor=battery_floor,
+    ))
     gathered = Files._of(read)
     return on(gathered.scene, gathered)
 
@@ -43,7 +48,8 @@ def convert(
     files: AnyFiles | Scene | Mapping[str, Any], to: Format, agents: int | None = None,
 ) -> Converted:
     """Writes instances and plans in another format: ``giveway``, ``movingai``, ``tracker``,
-    ``paths.txt``, ``result.txt``, ``multi-robot``, ``lorr``, ``asprilo`` or ``mapfw``.
+    ``paths.txt``, ``result.txt``, ``multi-robot``, ``lorr``, ``asprilo``, ``mapfw``,
+    ``class-project`` or ``grid``.
 
     Files are texts by their names, or paths; a scene stands for its file.
 

@@ -104,8 +104,10 @@ class Plan(Record):
         """The last time at which an agent is on the map; ``None`` where it stays for ever."""
         if agent in self.until:
             return self.until[agent] - 1
-        vanishes = self.scene is not None and self.scene.rules.at_goal == "vanish"
-        return self.arrival(agent) if vanishes else None
+        if self.scene is None or self.scene.rules.at_goal == "stay":
+            return None
+        goalless = any(one.name == agent and one.goal is None for one in self.scene.agents)
+        return None if goalless else self.arrival(agent)
 
     def at(self, time: int) -> dict[str, Cell | None]:
         """Where everyone is."""

@@ -27,11 +27,12 @@ class Battery(Record):
 
 @dataclass(frozen=True)
 class Agent(Record):
-    """An agent and its task; without a battery it moves without limit."""
+    """An agent and its task; without a battery it moves without limit, and without a goal
+    it may rest at any cell, where it stays."""
 
     name: str
     start: Cell
-    goal: Cell
+    goal: Cell | None = optional()
     waypoints: tuple[Cell, ...] = optional(default=())
     battery: Battery | None = optional()
 
@@ -42,6 +43,25 @@ class Rules(Record):
 
     at_goal: Literal["stay", "vanish"] = "stay"
     battery_floor: int = 0
+
+
+@dataclass(frozen=True)
+class Assumption(Record):
+    """Something that a scene takes for granted: whatever is said of it is said under that.
+
+    ``goals-chosen``: goals or tasks were chosen out of those that the file leaves open.
+    ``moving-obstacle``: its ``name``, and its cell at each time from 0 as ``path``; plans are
+    judged with it, and the search leaves it out. ``rule-left-out``: a ``rule`` of the file's
+    problem (``turning``, ``long-moves``, ``errand-order``, ``handling``) that scenes do not
+    have; bounds hold with it, too, and a plan that is found may break it. ``unknown-key``: a
+    ``key`` of the file that is not heeded and may change the problem.
+    """
+
+    assumes: Literal["goals-chosen", "moving-obstacle", "rule-left-out", "unknown-key"]
+    name: str | None = optional()
+    path: tuple[Cell, ...] = optional(default=())
+    key: str | None = optional()
+    rule: str | None = optional()
 
 
 @dataclass(frozen=True)
@@ -62,6 +82,8 @@ class Scene(Record):
     rules: Rules = optional(default=Rules())
     #: The most important cost first.
     objective: tuple[Cost, ...] = optional(default=("makespan", "sum-of-costs", "charges"))
+    #: What it takes for granted, where it was read from a file of another maker.
+    assumptions: tuple[Assumption, ...] = optional(default=())
 
     @property
     def width(self) -> int:

@@ -1,6 +1,6 @@
 //! Files in another format, as `giveway convert` writes them.
 
-use giveway_model::format::convert::{self, ConvertRequest};
+use giveway_formats::convert::{self, ConvertRequest};
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
 
 use super::error::{Code, error};

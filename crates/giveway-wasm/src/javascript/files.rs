@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::Scene;
-use giveway_model::format::foreign::{self, Conventions, ForeignPlan, Options, Source};
+use giveway_formats::{Conventions, ForeignPlan, Options, Source};
+use giveway_model::format::decode;
+use giveway_model::{AtGoal, Scene};
+use js_sys::{Object, Reflect, Uint8Array};
 use serde::{Deserialize, Serialize};
-use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
+use wasm_bindgen::{JsCast as _, JsValue, prelude::wasm_bindgen};
 
 use super::error::{Code, error};
 use super::objects;
@@ -16,6 +18,8 @@ use super::objects;
 struct ReadOptions {
     agents: Option<usize>,
     conventions: Option<Conventions>,
+    at_goal: Option<AtGoal>,
+    battery_floor: Option<u32>,
 }
 
 /// A scene and the plans for it.
@@ -32,7 +36,8 @@ struct Files {
 /// An `Error` with the file and the line of each fault, or the file that is missing.
 #[wasm_bindgen(js_name = readFiles, skip_typescript)]
 pub fn read_files(files: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
-    let files: BTreeMap<String, String> = objects::read(files)?;
+    let (files, encodings) = decoded(files)?;
+    let files: BTreeMap<String, String> = objects::read(&files)?;
     let options = if options.is_undefined() {
         ReadOptions::default()
     } else {
@@ -41,16 +46,50 @@ pub fn read_files(files: &JsValue, options: &JsValue) -> Result<JsValue, JsValue
     let options = Options {
         agents: options.agents,
         conventions: options.conventions,
+        at_goal: options.at_goal,
+        battery_floor: options.battery_floor,
     };
     let sources: Vec<Source<'_>> = files
         .iter()
         .map(|(name, text)| Source { name, text })
         .collect();
-    let gathered = foreign::gather(&sources, &options)
+    let mut combined = giveway_formats::combine(&sources, &options)
         .map_err(|refused| error(Code::BadText, &refused.faults()))?;
+    combined.notes.extend(encodings);
     objects::write(&Files {
-        scene: gathered.instance.to_scene(),
-        plans: gathered.plans,
-        notes: gathered.notes,
+        scene: combined.instance.to_scene(),
+        plans: combined.plans,
+        notes: combined.notes,
     })
+}
+
+/// The files with texts instead of bytes, and what a person should know of how those
+/// were read. What is no object is told by the reader of objects.
+fn decoded(files: &JsValue) -> Result<(JsValue, Vec<String>), JsValue> {
+    let mut notes = Vec::new();
+    let names = Reflect::own_keys(files).unwrap_or_default();
+    let copy = Object::new();
+    let mut has_bytes = false;
+    for name in names.iter() {
+        // A getter that throws is told by the reader of objects.
+        let Ok(mut value) = Reflect::get(files, &name) else {
+            return Ok((files.clone(), notes));
+        };
+        if let Some(bytes) = value.dyn_ref::<Uint8Array>() {
+            let file = name.as_string().unwrap_or_default();
+            let bytes = bytes.to_vec();
+            let (text, encoding) =
+                decode(&bytes).map_err(|fault| error(Code::BadText, &[fault.in_file(&file)]))?;
+            notes.extend(encoding.note(&file));
+            value = JsValue::from_str(&text);
+            has_bytes = true;
+        }
+        Reflect::set(&copy, &name, &value)?;
+    }
+    let files = if has_bytes {
+        copy.into()
+    } else {
+        files.clone()
+    };
+    Ok((files, notes))
 }

@@ -1,6 +1,7 @@
 //! Scenes and plans from texts.
 
-use giveway_model::format::{movingai, native};
+use giveway_formats::movingai;
+use giveway_model::format::native;
 use giveway_model::{Fault, Instance};
 use serde::Deserialize;
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};

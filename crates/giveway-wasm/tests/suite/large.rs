@@ -77,7 +77,7 @@ fn a_wide_map_with_a_thousand_agents() {
 }
 
 #[wasm_bindgen_test]
-fn the_largest_map_with_the_most_agents() {
+fn a_map_of_a_million_cells_with_thousands_of_agents() {
     expect_honest("1024 x 1024", &empty(1024, 4096));
 }
 

@@ -92,6 +92,17 @@ fn a_plan_is_read_audited_and_compared() {
 }
 
 #[wasm_bindgen_test]
+fn bytes_of_files_are_read_in_their_encoding() {
+    let map = "type octile\nheight 1\nwidth 2\nmap\n..\n";
+    let bytes: Vec<u8> = map.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let files = js_sys::Object::new();
+    let bytes = js_sys::Uint8Array::from(bytes.as_slice());
+    js_sys::Reflect::set(&files, &"a.map".into(), &bytes).unwrap();
+    let read = data(&giveway_wasm::read_files(&files, &NONE).unwrap());
+    assert_eq!(read["scene"]["map"], json!([".."]));
+}
+
+#[wasm_bindgen_test]
 fn what_every_best_plan_has_is_told() {
     let scene = json!({ "giveway": 1, "map": ["..#.", "...."],
         "agents": [{ "name": "A1", "start": [0, 0], "goal": [3, 1] },

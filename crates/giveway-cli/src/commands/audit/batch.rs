@@ -1,8 +1,9 @@
 //! Many plans, one line of JSON each. A file that is wrong has a line, too, and the
 //! others go on.
 
+use giveway_formats::Held;
 use giveway_model::Version;
-use giveway_model::format::{base_name, foreign, stem};
+use giveway_model::format::{base_name, stem};
 use serde::Serialize;
 
 use super::{exit, only_plan, plan::audited, wanted};
@@ -11,7 +12,7 @@ use crate::{
     clock::Clock,
     exit::Exit,
     failure::Failure,
-    input::{self, Source, foreign::gather},
+    input::{Source, foreign::combine},
     output::stream,
 };
 
@@ -32,6 +33,8 @@ enum File {
 struct Base {
     part: Part,
     source: Source,
+    /// The name of its map, where it is a scenario that says so.
+    map: Option<String>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -68,10 +71,12 @@ pub(super) fn run(args: &Audit, common: &Common, clock: Clock) -> Result<Exit, F
             File::Base(_) => continue,
             File::Wrong { name, failure } => (name, Err(failure.lines())),
             File::Plan { source, map } => {
-                let mut sources = chosen(bases(), source, map.as_deref());
-                sources.push(source.clone());
-                let audited = gather(&sources, wanted(args, common))
-                    .and_then(only_plan)
+                let audited = chosen(bases(), source, map.as_deref())
+                    .and_then(|mut sources| {
+                        sources.push(source.clone());
+                        combine(&sources, wanted(args, common))
+                    })
+                    .and_then(|combined| only_plan(combined, args.ruling))
                     .and_then(|subject| audited(subject, args, common, clock));
                 (&source.name, audited.map_err(|failure| failure.lines()))
             }
@@ -104,21 +109,35 @@ fn read(path: &std::path::Path) -> File {
         name: path.to_string_lossy().into_owned(),
         failure,
     };
-    let source = match Source::read(path).and_then(input::bare) {
+    let source = match Source::read(path) {
         Ok(source) => source,
         Err(failure) => return wrong(failure),
     };
-    let held = match foreign::read(&source.text) {
+    let held = match giveway_formats::read(&source.text) {
         Ok((_, held)) => held,
         Err(faults) => return wrong(source.faults(faults)),
     };
-    let base = |part, source| File::Base(Base { part, source });
+    let base = |part, source| {
+        File::Base(Base {
+            part,
+            source,
+            map: None,
+        })
+    };
     match held {
-        foreign::Held::Map(_) => base(Part::Map, source),
-        foreign::Held::Scenario(_) => base(Part::Scenario, source),
-        foreign::Held::Scene(..) => base(Part::Scene, source),
-        foreign::Held::OwnPlan(_) | foreign::Held::Both(..) => File::Plan { source, map: None },
-        foreign::Held::Plan(plan) => File::Plan {
+        Held::Map(..) => base(Part::Map, source),
+        Held::Scenario(scenario) => File::Base(Base {
+            part: Part::Scenario,
+            source,
+            map: scenario.map_name().map(str::to_owned),
+        }),
+        Held::Scene(..) | Held::Problem(_) => base(Part::Scene, source),
+        Held::OwnPlan(..)
+        | Held::Both(..)
+        | Held::NoPlan(_)
+        | Held::Changes(_)
+        | Held::Asked(_) => File::Plan { source, map: None },
+        Held::Plan(plan) => File::Plan {
             source,
             map: plan.map,
         },
@@ -131,31 +150,45 @@ fn chosen<'a>(
     bases: impl Iterator<Item = &'a Base>,
     plan: &Source,
     map: Option<&str>,
-) -> Vec<Source> {
+) -> Result<Vec<Source>, Failure> {
     let all: Vec<&Base> = bases.collect();
     let of = |part: Part| -> Vec<&Base> {
         let those = all.iter().copied();
         those.filter(|base| base.part == part).collect()
     };
     let name = base_name(&plan.name);
-    let fits = |base: &Base| {
+    let fits = |base: &Base, map: Option<&str>| {
         let own = stem(base_name(&base.source.name)).to_owned();
         let named = map.is_some_and(|map| stem(base_name(map)) == own);
         (named || name.starts_with(&own)).then_some((named, own.len()))
     };
     let mut sources = Vec::new();
-    for part in [Part::Map, Part::Scenario, Part::Scene] {
+    // A plan that does not name its map has that of its scenario.
+    let mut map = map.map(str::to_owned);
+    for part in [Part::Scenario, Part::Map, Part::Scene] {
         let there = of(part);
         let best = match there.as_slice() {
             [only] => Some(*only),
             several => {
-                let fitting = several.iter().filter_map(|base| Some((fits(base)?, *base)));
+                let fitting = several.iter();
+                let fitting = fitting.filter_map(|base| Some((fits(base, map.as_deref())?, *base)));
                 fitting.max_by_key(|(fit, _)| *fit).map(|(_, base)| base)
             }
         };
+        if best.is_none() && part == Part::Map && !there.is_empty() {
+            let maps: Vec<String> = there.iter().map(|base| base.source.name.clone()).collect();
+            return Err(Failure::Refused(vec![format!(
+                "It is open which map {} is for: {}. Name the plan after its map, or give it alone with its map.",
+                plan.name,
+                maps.join(", ")
+            )]));
+        }
+        if let (None, Some(Base { map: own, .. })) = (&map, best) {
+            map.clone_from(own);
+        }
         sources.extend(best.map(|base| base.source.clone()));
     }
-    sources
+    Ok(sources)
 }
 
 /// Writes an object in one line.

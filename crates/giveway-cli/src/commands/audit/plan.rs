@@ -1,13 +1,15 @@
 //! The audit of one plan.
 
-use giveway_model::{Instance, compare::claims, format::foreign::ForeignPlan};
-use giveway_solve::audit::AuditRequest;
+use giveway_formats::ForeignPlan;
+use giveway_model::compare::{ClaimedBound, claimed_bounds, claims};
+use giveway_model::{Instance, Plan};
+use giveway_solve::audit::{AuditAnswer, AuditRequest};
 use giveway_solve::{Limits, Request, Response, serve};
 
 use crate::{
     args::{Audit, Common},
     clock::Clock,
-    commands::{refused, unexpected},
+    commands::{otherwise::otherwise, refused, unexpected},
     failure::Failure,
     output::report::Audited,
     progress::CommandHost,
@@ -53,7 +55,11 @@ pub(super) fn audited(
     let file = std::path::Path::new(&plan.file);
     match response {
         Response::Audited(answer) => Ok(Audited {
+            claimed_bounds: bounds(&instance, &plan, &answer),
             claims: claims(&instance, &plan.plan, plan.claimed, plan.written),
+            otherwise: (!answer.legal)
+                .then(|| otherwise(&instance, &plan.plan))
+                .flatten(),
             instance,
             notes,
             plan,
@@ -62,4 +68,14 @@ pub(super) fn audited(
         Response::Refused(refusal) => Err(refused(refusal, file)),
         _ => Err(unexpected(file)),
     }
+}
+
+/// The bounds that the file claims beside what is known here: of our bounds that of the first
+/// cost, which holds for all plans, whatever they cost else.
+fn bounds(instance: &Instance, plan: &ForeignPlan, answer: &AuditAnswer) -> Vec<ClaimedBound> {
+    let plans: Vec<&Plan> = std::iter::once(&plan.plan).chain(&answer.better).collect();
+    let mut proved = answer.bounds.clone();
+    let first = answer.first_cost().filter(|_| answer.complete);
+    proved.retain(|cost, _| Some(*cost) == first);
+    claimed_bounds(instance, &plans, plan.bounds, &proved)
 }

@@ -22,6 +22,8 @@ pub(super) struct Item {
     pub(super) stem: String,
     /// What it is.
     pub(super) content: Content,
+    /// What its file tells and no format holds, a phrase.
+    pub(super) lost: Option<String>,
 }
 
 /// An instance or a plan.
@@ -60,7 +62,11 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
     let read = args.files.iter().map(|path| Source::read(path));
     let read = read.collect::<Result<Vec<Source>, Failure>>()?;
     if read.iter().any(|source| Kind::of(source) == Kind::Foreign) {
-        return gathered(args, common, read);
+        return combined(args, common, &read);
+    }
+    let notes = read.iter().filter_map(|source| source.note.as_ref());
+    for note in notes.filter(|_| !common.quiet) {
+        stream::note(&format!("note: {note}"));
     }
     let mut sources = Vec::new();
     let mut given = Vec::new();
@@ -83,30 +89,34 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
         let content = match kind {
             Kind::Scenario => {
                 let scen = Scen::read(source)?;
+                if let Some(note) = scen.note().filter(|_| !common.quiet) {
+                    stream::note(&format!("note: {note}"));
+                }
                 let map = maps.of(&scen)?;
                 if let Some(note) = map.note(&scen).filter(|_| !common.quiet) {
                     stream::note(&note);
                 }
-                let instance = scen.instance(&map, first)?;
+                let instance = scen.instance(&map, first, args.ruling)?;
                 taken.extend(map.source.path);
                 Content::Instance(instance)
             }
-            Kind::Plan | Kind::Answer => {
+            Kind::Native if input::is_plan(&source) => {
                 if first.is_some() {
                     return Err(Failure::Usage(format!(
                         "--agents is for instances, and {name} is a plan"
                     )));
                 }
-                Content::Plan(input::plan_in(&source)?)
+                Content::Plan(input::plan_in(&source, common)?)
             }
-            Kind::Foreign | Kind::Scene | Kind::Map => {
-                Content::Instance(input::native(&source, first)?)
+            Kind::Foreign | Kind::Native | Kind::Map => {
+                Content::Instance(input::native(&source, first, args.ruling)?)
             }
         };
         inputs.items.push(Item {
             name,
             stem,
             content,
+            lost: None,
         });
     }
     for map in given {
@@ -126,30 +136,31 @@ pub(super) fn inputs(args: &Convert, common: &Common) -> Result<Inputs, Failure>
 }
 
 /// Files of others, matched to each other and to the maps and scenes beside them.
-fn gathered(args: &Convert, common: &Common, read: Vec<Source>) -> Result<Inputs, Failure> {
+fn combined(args: &Convert, common: &Common, read: &[Source]) -> Result<Inputs, Failure> {
     let paths = read.iter().filter_map(|source| source.path.clone());
     let paths = paths.chain(common.map.clone()).collect();
-    let sources = read.into_iter().map(input::bare);
-    let sources = sources.collect::<Result<Vec<Source>, Failure>>()?;
-    let gathered = foreign::gather(
-        &sources,
+    let combined = foreign::combine(
+        read,
         foreign::Wanted {
             map: common.map.as_deref(),
             agents: args.first.agents,
             reading: args.reading,
+            ruling: args.ruling,
         },
     )?;
-    for note in gathered.notes.iter().filter(|_| !common.quiet) {
+    let plans = combined.plans.iter().flat_map(|plan| &plan.notes);
+    for note in combined.notes.iter().chain(plans) {
         stream::note(&format!("note: {note}"));
     }
-    let name = gathered.instance.name();
+    let name = combined.instance.name();
     let scene = if name.is_empty() { UNNAMED } else { name }.to_owned();
     let mut items = vec![Item {
         name: scene.clone(),
         stem: scene.clone(),
-        content: Content::Instance(gathered.instance),
+        content: Content::Instance(combined.instance),
+        lost: None,
     }];
-    for plan in gathered.plans {
+    for plan in combined.plans {
         let own = format::stem(&plan.file);
         let stem = if own == scene {
             format!("{own}-plan")
@@ -157,6 +168,7 @@ fn gathered(args: &Convert, common: &Common, read: Vec<Source>) -> Result<Inputs
             own.to_owned()
         };
         items.push(Item {
+            lost: plan.lost_headings(),
             name: plan.file,
             stem,
             content: Content::Plan(plan.plan),
@@ -182,6 +194,7 @@ fn without_agents(map: Map, first: Option<usize>) -> Result<Item, Failure> {
         name: map.source.name,
         stem,
         content: Content::Instance(instance),
+        lost: None,
     })
 }
 

@@ -14,15 +14,15 @@ use crate::{
     commands::{refused, unexpected},
     exit::Exit,
     failure::Failure,
-    output::{self, text},
+    output::{self, Said, text},
     progress::CommandHost,
 };
 
 pub(super) fn run(
     planner: Planner,
     args: &Solve,
-    instance: &Instance,
-    objective: &Objective,
+    (instance, objective): (&Instance, &Objective),
+    said: &Said,
     common: &Common,
     clock: Clock,
 ) -> Result<Exit, Failure> {
@@ -46,7 +46,7 @@ pub(super) fn run(
         Response::Planned(mut answer) => {
             // It goes into a file of its own.
             let trace = answer.trace.take();
-            output::answer(common.format, &answer, |columns| {
+            output::answer(common.format, said, &answer, |columns| {
                 text::planned(instance, &answer, columns)
             })?;
             if let Some((path, trace)) = args.trace.as_deref().zip(trace) {

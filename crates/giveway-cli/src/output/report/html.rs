@@ -3,16 +3,17 @@
 use std::fmt::Write as _;
 
 use giveway_solve::audit::AuditStatus;
-use giveway_solve::audit::words::{headline, notes};
 
 use super::{Audited, Link, TOLD, svg, words};
 
 /// How the page looks, on a screen, light or dark, and on paper.
 const STYLE: &str = "
 :root { color-scheme: light dark; --ink: #1b1f24; --paper: #fff; --line: #d0d5dc; --floor: #f3f5f8;
-  --wall: #6b7480; --red: #c4281c; --green: #1a7f37; --amber: #8a5a00; --blue: #1f6feb; }
+  --wall: #6b7480; --red: #c4281c; --green: #1a7f37; --amber: #8a5a00; --blue: #1f6feb;
+  --slow: #d98a80; --yellow: #ffdc5e; }
 @media (prefers-color-scheme: dark) { :root { --ink: #e6eaef; --paper: #14171b; --line: #3a424d;
-  --floor: #20252c; --wall: #7d8794; --red: #ff7b72; --green: #56d364; --amber: #e3b341; --blue: #79b8ff; } }
+  --floor: #20252c; --wall: #7d8794; --red: #ff7b72; --green: #56d364; --amber: #e3b341; --blue: #79b8ff;
+  --slow: #b06a60; --yellow: #e9bd35; } }
 @media print { :root { --ink: #000; --paper: #fff; --line: #999; --floor: #fff; --wall: #777; }
   section { break-inside: avoid-page; } }
 body { color: var(--ink); background: var(--paper); font: 16px/1.5 system-ui, sans-serif;
@@ -28,6 +29,7 @@ pre { white-space: pre-wrap; border: 1px solid var(--line); padding: .6rem; }
 .open { color: var(--amber); }
 svg { width: 100%; max-height: 40rem; border: 1px solid var(--line); }
 .floor { fill: var(--floor); } .wall { fill: var(--wall); } .start { fill: var(--blue); }
+.slow { fill: url(#hatch); } .hatch { stroke: var(--slow); stroke-width: .08; } .charger { fill: var(--yellow); } .bolt { fill: #3a2d00; }
 .goal { fill: none; stroke: var(--blue); stroke-width: .1; }
 .broken { fill: var(--red); fill-opacity: .6; }
 ";
@@ -46,13 +48,13 @@ pub(super) fn page(audited: &Audited, command: &str, link: &Link) -> String {
         AuditStatus::Illegal => "bad",
         AuditStatus::Feasible | AuditStatus::Unknown => "open",
     };
-    let head = headline(answer);
+    let head = words::verdict(audited);
     let mut verdict = format!(
         "<p class=\"verdict\"><strong class=\"{colour}\">{}</strong>{}</p>\n",
         escaped(&head.word),
         escaped(&head.rest)
     );
-    for note in notes(answer).iter().chain(&words::differs(audited)) {
+    for note in &words::more_of(audited) {
         let _ = writeln!(verdict, "<p>{}</p>", escaped(note));
     }
     match link {
@@ -71,7 +73,7 @@ pub(super) fn page(audited: &Audited, command: &str, link: &Link) -> String {
         section(&mut html, words::VIOLATIONS, &violations(audited));
     }
     section(&mut html, words::COSTS, &costs(audited));
-    let map = format!("{}\n<p>{}</p>\n", svg::map(audited), words::LEGEND);
+    let map = format!("{}\n<p>{}</p>\n", svg::map(audited), words::legend(audited));
     section(&mut html, words::MAP, &map);
     let again = format!("<pre>{}</pre>\n", escaped(command));
     section(&mut html, words::AGAIN, &again);

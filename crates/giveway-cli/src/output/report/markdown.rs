@@ -2,17 +2,15 @@
 
 use std::fmt::Write as _;
 
-use giveway_solve::audit::words::{headline, notes};
-
 use super::{Audited, Link, TOLD, words};
 
 /// The whole report.
 pub(super) fn text(audited: &Audited, command: &str, link: &Link) -> String {
     let answer = &audited.answer;
     let mut text = format!("# {}\n\n", escaped(&audited.plan.file));
-    let head = headline(answer);
+    let head = words::verdict(audited);
     let _ = writeln!(text, "**{}**{}\n", escaped(&head.word), escaped(&head.rest));
-    for note in notes(answer).iter().chain(&words::differs(audited)) {
+    for note in &words::more_of(audited) {
         let _ = writeln!(text, "{}\n", escaped(note));
     }
     match link {

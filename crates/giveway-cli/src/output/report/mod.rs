@@ -10,8 +10,9 @@ pub(crate) mod words;
 
 use std::path::Path;
 
-use giveway_model::compare::ClaimedCost;
-use giveway_model::{Instance, format::foreign::ForeignPlan};
+use giveway_formats::ForeignPlan;
+use giveway_model::Instance;
+use giveway_model::compare::{ClaimedBound, ClaimedCost};
 use giveway_solve::audit::AuditAnswer;
 
 use crate::failure::Failure;
@@ -26,7 +27,11 @@ pub(crate) struct Audited {
     pub(crate) plan: ForeignPlan,
     /// What its file claims, beside what it costs.
     pub(crate) claims: Vec<ClaimedCost>,
+    /// What its file says that every plan costs, beside what is known here.
+    pub(crate) claimed_bounds: Vec<ClaimedBound>,
     pub(crate) answer: AuditAnswer,
+    /// By which other rule an illegal plan is legal, a sentence.
+    pub(crate) otherwise: Option<String>,
 }
 
 /// So many violations are told one by one; the rest is counted.

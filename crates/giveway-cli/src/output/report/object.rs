@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use giveway_formats::Format;
 use giveway_model::check::Violation;
-use giveway_model::compare::ClaimedCost;
-use giveway_model::format::foreign::{Claimed, Format};
-use giveway_model::{Cost, Costs, Objective, Plan, Version};
+use giveway_model::compare::Claimed;
+use giveway_model::compare::{ClaimedBound, ClaimedCost};
+use giveway_model::{Assumption, Cost, Costs, Objective, Plan, Version};
 use giveway_solve::audit::AuditStatus;
 use giveway_solve::{Stats, Status};
 use serde::Serialize;
@@ -22,6 +23,8 @@ pub(crate) struct AuditObject<'a> {
     why: &'a str,
     name: &'a str,
     agents: usize,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    assumptions: &'a [Assumption],
     notes: Vec<&'a str>,
     legal: bool,
     violations: &'a [Violation],
@@ -29,6 +32,8 @@ pub(crate) struct AuditObject<'a> {
     costs: Option<Costs>,
     claimed: Option<Claimed>,
     claims: &'a [ClaimedCost],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    claimed_bounds: &'a [ClaimedBound],
     bounds: &'a BTreeMap<Cost, u32>,
     within: Option<u32>,
     complete: bool,
@@ -65,10 +70,12 @@ impl Audited {
             why: &plan.why,
             name: self.instance.name(),
             agents: self.instance.agents().len(),
+            assumptions: self.instance.assumptions(),
             notes: self
                 .notes
                 .iter()
                 .chain(&plan.notes)
+                .chain(&self.otherwise)
                 .map(String::as_str)
                 .collect(),
             legal: answer.legal,
@@ -77,6 +84,7 @@ impl Audited {
             costs: answer.costs,
             claimed: Some(plan.claimed).filter(|claimed| *claimed != Claimed::default()),
             claims: &self.claims,
+            claimed_bounds: &self.claimed_bounds,
             bounds: &answer.bounds,
             within: answer.within,
             complete: answer.complete,

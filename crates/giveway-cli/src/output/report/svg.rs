@@ -16,22 +16,39 @@ pub(super) fn map(audited: &Audited) -> String {
     let (width, height) = (grid.width(), grid.height());
     let mut svg = format!(
         "<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"The map\">\
+         <defs><pattern id=\"hatch\" width=\".25\" height=\".25\" patternUnits=\"userSpaceOnUse\" \
+         patternTransform=\"rotate(45)\"><path class=\"hatch\" d=\"M.125 0v.25\"/></pattern></defs>\
          <rect class=\"floor\" width=\"{width}\" height=\"{height}\"/>\
-         <path class=\"wall\" d=\"{}\"/>",
-        walls(grid)
+         <path class=\"slow\" d=\"{}\"/><path class=\"wall\" d=\"{}\"/>",
+        runs(grid, |cell| grid.is_slow(cell)),
+        runs(grid, |cell| !grid.is_vertex(cell))
     );
+    for cell in cells(grid).filter(|&cell| grid.is_charger(cell)) {
+        let _ = write!(
+            svg,
+            "<rect class=\"charger\" x=\"{}.06\" y=\"{}.06\" width=\".88\" height=\".88\" rx=\".12\"/>\
+             <path class=\"bolt\" d=\"M{}.55 {}.16l-.25 .38h.2l-.06 .3 .26-.4h-.2z\"/>",
+            cell.x, cell.y, cell.x, cell.y
+        );
+    }
     let agents = audited.instance.agents();
     for agent in agents
         .iter()
         .take(if agents.len() <= ROBOTS { ROBOTS } else { 0 })
     {
-        let (start, goal) = (agent.start, agent.goal);
+        let start = agent.start;
         let _ = write!(
             svg,
-            "<circle class=\"start\" cx=\"{}.5\" cy=\"{}.5\" r=\".28\"/>\
-             <rect class=\"goal\" x=\"{}.25\" y=\"{}.25\" width=\".5\" height=\".5\"/>",
-            start.x, start.y, goal.x, goal.y
+            "<circle class=\"start\" cx=\"{}.5\" cy=\"{}.5\" r=\".28\"/>",
+            start.x, start.y
         );
+        if let Some(goal) = agent.goal {
+            let _ = write!(
+                svg,
+                "<rect class=\"goal\" x=\"{}.25\" y=\"{}.25\" width=\".5\" height=\".5\"/>",
+                goal.x, goal.y
+            );
+        }
     }
     for cell in broken(audited) {
         let _ = write!(
@@ -44,15 +61,21 @@ pub(super) fn map(audited: &Audited) -> String {
     svg
 }
 
-/// All cells that cannot be entered, a rectangle for each run of a row.
-fn walls(grid: &Grid) -> String {
+/// All cells of a grid, row by row.
+fn cells(grid: &Grid) -> impl Iterator<Item = Cell> {
+    let (width, height) = (grid.width(), grid.height());
+    (0..height).flat_map(move |y| (0..width).map(move |x| Cell::new(x, y)))
+}
+
+/// The cells of one kind, a rectangle for each run of a row.
+fn runs(grid: &Grid, is_one: impl Fn(Cell) -> bool) -> String {
     let mut path = String::new();
     for y in 0..grid.height() {
-        let is_wall = |x: u32| x < grid.width() && !grid.is_vertex(Cell::new(x, y));
+        let is_one = |x: u32| x < grid.width() && is_one(Cell::new(x, y));
         let mut x = 0;
         while x < grid.width() {
             let from = x;
-            while is_wall(x) {
+            while is_one(x) {
                 x += 1;
             }
             if x > from {

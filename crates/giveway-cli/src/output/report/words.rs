@@ -1,9 +1,12 @@
 //! What a report and the terminal say of an audit beside the verdict.
 
-use giveway_model::Cost;
 use giveway_model::check::Violation;
-use giveway_model::compare::{ClaimedCost, Difference, compare};
+use giveway_model::compare::{ClaimedBound, ClaimedCost, Difference, claimed_loss, compare};
 use giveway_model::words::{capital, name};
+use giveway_model::{Cost, Ground};
+
+use giveway_solve::audit::words::{headline_under, notes};
+use giveway_solve::words::Headline;
 
 use super::{Audited, TOLD};
 
@@ -30,6 +33,19 @@ pub(crate) fn recognised(audited: &Audited) -> Vec<(String, String)> {
     let notes = audited.notes.iter().chain(&plan.notes);
     rows.extend(notes.map(|note| row("note", note.clone())));
     rows
+}
+
+/// The verdict in one sentence.
+pub(crate) fn verdict(audited: &Audited) -> Headline {
+    headline_under(&audited.answer, audited.instance.assumptions())
+}
+
+/// What else is to be said of the verdict, a sentence each.
+pub(crate) fn more_of(audited: &Audited) -> Vec<String> {
+    let mut all = notes(&audited.answer);
+    all.extend(audited.otherwise.clone());
+    all.extend(differs(audited));
+    all
 }
 
 /// A row of the table of costs: what it is, of the plan, of its file, what is proved,
@@ -85,19 +101,22 @@ pub(crate) fn claims(audited: &Audited) -> Vec<String> {
             None => "it cannot be counted here".to_owned(),
         };
         let why = match claim.definition {
-            Some(definition) => definition.sentence(),
-            None => "It is not known why.",
+            Some(definition) => format!(" {}", definition.sentence()),
+            None if audited.answer.legal => " It is not known why.".to_owned(),
+            None => String::new(),
         };
         format!(
-            "The file says that its {called} is {}; {counted}. {why}",
+            "The file says that its {called} is {}; {counted}.{why}",
             claim.claimed
         )
     };
-    differing.map(say).collect()
+    let bounds = audited.claimed_bounds.iter().map(ClaimedBound::sentence);
+    let loss = claimed_loss(&audited.instance, &audited.plan.plan, audited.plan.bounds);
+    differing.map(say).chain(bounds).chain(loss).collect()
 }
 
 /// What is different in the better plan, as a sentence.
-pub(crate) fn differs(audited: &Audited) -> Option<String> {
+fn differs(audited: &Audited) -> Option<String> {
     let better = audited.answer.better.as_ref()?;
     let compared = compare(&audited.instance, &audited.plan.plan, better);
     let of = |difference| compared.with(difference).count();
@@ -141,4 +160,19 @@ pub(crate) const COSTS: &str = "Costs";
 pub(crate) const MAP: &str = "Map";
 pub(crate) const AGAIN: &str = "To see it again";
 /// What the marks of the map mean.
-pub(crate) const LEGEND: &str = "Circles: starts. Squares: goals. Red: where a rule is broken.";
+pub(crate) fn legend(audited: &Audited) -> String {
+    let grid = audited.instance.grid();
+    let has =
+        |is: fn(Ground) -> bool| (0..grid.height()).any(|y| grid.row(y).iter().any(|g| is(*g)));
+    let mut legend = "Circles: starts. Squares: goals.".to_owned();
+    if has(Ground::is_charger) {
+        legend += " Yellow with a bolt: chargers.";
+    }
+    if has(Ground::is_slow) {
+        legend += " Hatched: the slow zone.";
+    }
+    if !audited.answer.violations.is_empty() {
+        legend += " Red: where a rule is broken.";
+    }
+    legend
+}

@@ -44,7 +44,7 @@ pub(super) fn life_rows(
         let mark = if levels.is_empty() { mark(k) } else { ' ' };
         cell.map_or("..".to_owned(), |c| format!("{},{}", c.x, c.y)) + mark.encode_utf8(&mut [0; 4])
     });
-    let name = plain::cut(&plain::text(name), NAME_COLUMNS);
+    let name = plain::cut_middle(&plain::text(name), NAME_COLUMNS);
     let mut rows = vec![Row::after(from, name, cells)];
     if !levels.is_empty() {
         let levels = levels.iter().enumerate();
@@ -78,6 +78,21 @@ impl Row {
             entries: std::iter::repeat_n(String::new(), from)
                 .chain(entries)
                 .collect(),
+        }
+    }
+}
+
+/// Names that are alike once they are cut get a number each.
+pub(super) fn tell_apart(rows: &mut [Row]) {
+    let labels: Vec<String> = rows.iter().map(|row| row.label.clone()).collect();
+    for (at, row) in rows.iter_mut().enumerate() {
+        let same = |other: &&String| **other == row.label;
+        let place = labels.iter().take(at + 1).filter(same).count();
+        let is_cut = row.label.contains('…');
+        if is_cut && labels.iter().filter(same).count() > 1 {
+            let number = format!("·{place}");
+            let room = NAME_COLUMNS - plain::width(&number);
+            row.label = plain::cut_middle(&row.label, room) + &number;
         }
     }
 }

@@ -9,7 +9,7 @@ fn agent(name: &str, start: [u32; 2], goal: [u32; 2], battery: Option<Battery>) 
     Agent {
         name: name.to_owned(),
         start: Cell::new(start[0], start[1]),
-        goal: Cell::new(goal[0], goal[1]),
+        goal: Some(Cell::new(goal[0], goal[1])),
         waypoints: Vec::new(),
         battery,
     }

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
 use giveway_solve::audit::AuditStatus;
-use giveway_solve::audit::words::{headline, notes};
 
 use super::{paint, title};
 use crate::output::plain;
@@ -38,7 +37,7 @@ fn verdict(audited: &Audited) -> String {
         AuditStatus::Feasible | AuditStatus::Unknown => AnsiColor::Yellow,
         AuditStatus::Illegal => AnsiColor::Red,
     };
-    let head = headline(answer);
+    let head = words::verdict(audited);
     let word = paint(colour.on_default().bold(), &plain::text(&head.word));
     let mut text = format!("{word}{}\n", plain::text(&head.rest));
     for violation in answer.violations.iter().take(TOLD) {
@@ -47,7 +46,7 @@ fn verdict(audited: &Audited) -> String {
     if let Some(more) = words::more(&answer.violations) {
         let _ = writeln!(text, "  {more}");
     }
-    for note in notes(answer).iter().chain(&words::differs(audited)) {
+    for note in &words::more_of(audited) {
         let _ = writeln!(text, "{}", plain::text(note));
     }
     text

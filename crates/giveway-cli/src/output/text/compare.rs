@@ -22,20 +22,21 @@ fn costs(compared: &Compared) -> String {
         .plans
         .each_ref()
         .map(|plan| plain::text(&plan.file));
-    let wide = names.iter().map(|name| plain::width(name)).max();
-    let wide = wide.unwrap_or_default().clamp(8, 40) + 2;
+    let legal = compared.plans.each_ref().map(|plan| match plan.violations {
+        0 => "yes".to_owned(),
+        n => count(n, "violation"),
+    });
+    let wide = names.iter().map(|name| plain::width(name).min(40));
+    let wide = wide.chain(legal.iter().map(|legal| plain::width(legal)));
+    let wide = wide.max().unwrap_or_default().max(8) + 2;
     let mut text = plain::pad_right("", 14);
     for name in &names {
-        text += &plain::pad_left(&plain::cut(name, wide - 2), wide);
+        text += &plain::pad_left(&plain::cut_middle(name, wide - 2), wide);
     }
     text += "  difference\n";
     text += &plain::pad_right("legal", 14);
-    for plan in &compared.plans {
-        let legal = match plan.violations {
-            0 => "yes".to_owned(),
-            n => count(n, "violation"),
-        };
-        text += &plain::pad_left(&legal, wide);
+    for legal in &legal {
+        text += &plain::pad_left(legal, wide);
     }
     text.push('\n');
     for cost in Cost::ALL {

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use giveway_model::words::{count, name};
-use giveway_model::{Cost, Costs, Instance, Objective};
+use giveway_model::{Assumption, Cost, Costs, Instance, Objective};
 use giveway_solve::audit::words::percent;
 use giveway_solve::words::{self, Headline};
-use giveway_solve::{SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, SolveAnswer, Stats, Status};
 
 use super::{drawings, status_word, title};
 use crate::output::plain;
@@ -18,7 +18,10 @@ pub(crate) fn solve(
     answer: &SolveAnswer,
     columns: usize,
 ) -> String {
-    let mut parts = vec![title(instance), status(objective, answer)];
+    let mut parts = vec![
+        title(instance),
+        status(objective, answer, instance.assumptions()),
+    ];
     if let Some(costs) = &answer.costs {
         parts.push(cost_table(objective, costs, answer));
     }
@@ -32,11 +35,11 @@ const ANOTHER_RUN: &str =
     "Another run may end with another plan; --work-limit ends at the same place each time.\n";
 
 /// What is known, with the reach of the claim.
-fn status(objective: &Objective, answer: &SolveAnswer) -> String {
+fn status(objective: &Objective, answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
     let Headline { word, rest } = words::headline(objective, answer);
     let word = status_word(answer.status, &plain::text(&word));
     let more = match answer.status {
-        Status::Optimal => Some(words::claim(answer)),
+        Status::Optimal => Some(words::claim_under(answer, assumptions)),
         _ => words::reach_of_bounds(answer),
     };
     let mut more = more.map_or_else(String::new, |more| more + "\n");
@@ -52,7 +55,8 @@ fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> Str
     let others = Cost::ALL
         .iter()
         .filter(|cost| !objective.costs().contains(cost));
-    let early = answer.status == Status::Feasible;
+    // Under an assumption the plan may be none of the problem: then it has no gap.
+    let early = answer.status == Status::Feasible && answer.ended != Some(Ended::Assumptions);
     let mut text = format!("{:<14}{:>8}{:>18}", "cost", "value", "proved at least");
     text += if early { "          gap\n" } else { "\n" };
     for &cost in objective.costs().iter().chain(others) {
@@ -119,7 +123,7 @@ mod tests {
     }
 
     fn check(answer: &SolveAnswer, expect: &Expect) {
-        expect.assert_eq(&unpainted(&status(&Objective::default(), answer)));
+        expect.assert_eq(&unpainted(&status(&Objective::default(), answer, &[])));
     }
 
     #[test]

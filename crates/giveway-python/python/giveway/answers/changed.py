@@ -33,6 +33,7 @@ class MethodAnswer(Record):
     fewest: bool
     closest: bool
     cause: dict[str, Any] | None
+    fewest_within: int | None = optional()
     ended: Ended | None = optional()
     reason: str | None = optional()
 

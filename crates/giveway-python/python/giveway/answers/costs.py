@@ -9,7 +9,9 @@ from giveway._record import Record
 
 Status = Literal["optimal", "feasible", "impossible", "unknown"]
 #: What ended a search. Only time, memory and a person end the same search elsewhere each time.
-Ended = Literal["proof", "work", "conflicts", "time", "memory", "cancelled", "size", "fault"]
+Ended = Literal["proof", "work", "conflicts", "time", "memory", "cancelled", "size", "fault",
+    "assumptions",
+]
 
 
 @dataclass(frozen=True)

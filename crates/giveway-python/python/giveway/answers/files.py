@@ -9,7 +9,8 @@ from giveway.plan import Plan
 from giveway.scene import Cost, Scene
 
 Format = Literal[
-    "giveway", "movingai", "tracker", "paths.txt", "result.txt", "multi-robot", "lorr", "asprilo", "mapfw"]
+    "giveway", "movingai", "tracker", "paths.txt", "result.txt", "multi-robot", "lorr", "asprilo", "mapfw",
+    "class-project", "grid"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,8 @@ class ForeignPlan(Record):
     headings: Mapping[str, tuple[str, ...]]
     notes: tuple[str, ...]
     plan: Plan
+    #: What its file says that every plan costs at least (``loss`` is of the plan itself).
+    bounds: Mapping[str, int]
 
 
 @dataclass(frozen=True)
