@@ -5,6 +5,9 @@
 /** What comes in 150 ms at 1.6 Mbit/s; compressed it is a third. */
 const AHEAD_BYTES = 90_000;
 
+// static/unstarted.js then says nothing: modules are loaded.
+window.givewayStarts = true;
+
 const application = document.getElementById("application");
 
 function named(name) {
@@ -66,8 +69,8 @@ function tell(error) {
 // Only a build names a service worker: while one works on the page, nothing is kept.
 function keep() {
   const script = named("service-worker");
-  // Inside another page nothing is kept either.
-  if (script && navigator.serviceWorker && !/[?&]embed(&|$)/.test(location.search)) {
+  // Inside another page nothing is kept either, and a page without an origin may not even ask.
+  if (script && window.origin !== "null" && navigator.serviceWorker && !/[?&]embed(&|$)/.test(location.search)) {
     navigator.serviceWorker.register(new URL(script, document.baseURI)).catch((error) => {
       // Some hosts and some private windows allow none; the page works all the same.
       console.warn(`Giveway is not kept for offline use: ${error.message}`);

@@ -28,7 +28,7 @@ if (isNew()) {
 }
 
 function isNew() {
-  if (location.hash.startsWith("#giveway=") || /[?&]embed(&|$)/.test(location.search)) {
+  if (/^#g|giveway/i.test(location.hash) || /[?&]embed(&|$)/.test(location.search)) {
     return false;
   }
   try {

@@ -1,4 +1,4 @@
-// Keeps the page for times without a network. scripts/finish-page.mjs puts the version
+// Keeps the page for times without a network. scripts/page/finish.mjs puts the version
 // and the files of the build in.
 //
 // While there is a network, the page is always the newest one. All that it is made of has

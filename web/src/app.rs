@@ -25,6 +25,7 @@ use crate::top_bar::TopBar;
 use crate::wide::use_wide;
 use crate::{
     Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, glyph, notice, opening, present,
+    sheet,
 };
 
 impl Reducible for Shown {
@@ -94,6 +95,7 @@ pub fn App() -> Html {
     use_keys(&state, &send, &show);
     use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
+    let is_printing = sheet::use_printing();
     let is_presented = state.is_presented();
     use_presenting(is_presented, &send);
     if is_embedded {
@@ -101,7 +103,7 @@ pub fn App() -> Html {
             <ContextProvider<Clock> key={built} context={(*clock).clone()}>
                 <div class="app embed">
                     { embed::show(&state, &send) }
-                    { notice::show(state.view.notice.as_ref(), &send) }
+                    { notice::show(state.view.notice.as_ref().filter(|_| !state.view.waiting.refused), &send) }
                 </div>
             </ContextProvider<Clock>>
         };
@@ -134,10 +136,12 @@ pub fn App() -> Html {
                     </div>
                     { compare::show(&settled, &send) }
                 </main>
+                if is_printing { { sheet::head(&state) } }
                 if state.lesson().is_none() && !is_presented {
                     <Inspector state={state.clone()} send={send.clone()} />
                 }
                 { course.place() }
+                if is_printing { { sheet::foot(&state) } }
                 if is_presented {
                     { present::foot(&state, has_dock && state.plan().is_some(), &send) }
                 } else if has_dock {

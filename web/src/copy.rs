@@ -14,9 +14,11 @@ pub(crate) fn text(
     text: &str,
     done: impl FnOnce(Result<(), Notice>) + 'static,
 ) {
-    let refused = move |why: &str| Notice {
-        sentence: tr!("The {what} could not be copied.", what),
-        details: vec![why.to_owned()],
+    let refused = move |why: &str| {
+        Notice::refusal(
+            tr!("The {what} could not be copied.", what),
+            vec![why.to_owned()],
+        )
     };
     let Some(clipboard) = support::clipboard("writeText") else {
         done(Err(refused(tr!(

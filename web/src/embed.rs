@@ -3,7 +3,7 @@
 
 use giveway_model::tr;
 use giveway_page::link::Sharing;
-use giveway_page::{Action, PlayAction, State};
+use giveway_page::{Action, Notice, PlayAction, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
@@ -27,6 +27,14 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
         ..Sharing::default()
     };
     let link = sharing.link(&keep::address(state));
+    if let Some(notice) = state
+        .view
+        .notice
+        .as_ref()
+        .filter(|_| state.view.waiting.refused)
+    {
+        return refused(notice);
+    }
     html! {
         <>
             <header class="status">{ sentence(state) }</header>
@@ -40,6 +48,19 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                 }
             </footer>
         </>
+    }
+}
+
+/// The link of the page around cannot be opened: nothing else is shown in its place.
+fn refused(notice: &Notice) -> Html {
+    let location = gloo::utils::window().location();
+    let page = location.pathname().unwrap_or_default();
+    html! {
+        <div class="refused" role="alert">
+            <p><b>{ tr!("This scene cannot be shown.") }</b></p>
+            { for notice.details.iter().map(|line| html! { <p>{ line }</p> }) }
+            <p><a href={page} target="_blank" rel="noopener">{ tr!("Open Giveway") }</a></p>
+        </div>
     }
 }
 

@@ -113,7 +113,11 @@ pub(crate) fn take(
 ) {
     match reading {
         Ok(Reading::Scene(scene)) => send.emit(Action::File(FileAction::Open(scene))),
-        Ok(Reading::Linked(linked)) => send.emit(Action::File(FileAction::OpenLink(linked))),
+        Ok(Reading::Linked(together)) => {
+            send.emit(Action::File(FileAction::OpenLink(Box::new(
+                together.linked,
+            ))));
+        }
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
         Ok(Reading::Lesson(text)) => show.emit(Panel::Course(text)),
         Ok(Reading::Illegal(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
@@ -131,9 +135,11 @@ async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
     let mut opened = Vec::new();
     for file in files {
         let name = file.name();
-        let bytes = read_as_bytes(file).await.map_err(|error| Notice {
-            sentence: tr!("{name} cannot be read; the scene stays as it is.", name),
-            details: vec![error.to_string()],
+        let bytes = read_as_bytes(file).await.map_err(|error| {
+            Notice::refusal(
+                tr!("{name} cannot be read; the scene stays as it is.", name),
+                vec![error.to_string()],
+            )
         })?;
         opened.push(Opened { name, bytes });
     }
@@ -167,10 +173,10 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         };
         match blob.await {
             Ok(blob) => save_as(&name, blob),
-            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice {
-                sentence: tr!("The browser could not make the picture.").to_owned(),
-                details: Vec::new(),
-            }))),
+            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice::refusal(
+                tr!("The browser could not make the picture."),
+                Vec::new(),
+            )))),
         }
     });
 }

@@ -2,7 +2,8 @@
 
 use std::cell::Cell;
 
-use giveway_page::form;
+use giveway_model::words::middle_cut;
+use giveway_page::{State, board, form};
 use yew::prelude::*;
 
 thread_local! {
@@ -54,9 +55,10 @@ pub(crate) fn show(agent: usize, class: &'static str) -> Html {
     draw(agent, html! {}, class)
 }
 
-/// The picture above the facts about an agent, with its name on the form.
-pub(crate) fn named(agent: usize, name: &str) -> Html {
-    let short = form::short_name(name);
+/// The picture above the facts about an agent, with what stands on its form on the board.
+pub(crate) fn named(state: &State, agent: usize) -> Html {
+    let badges = board::badges(state.world().agents());
+    let short = badges.get(agent).cloned().unwrap_or_default();
     let is_long = form::is_long(&short);
     let name = html! {
         <text class={classes!("gname", is_long.then_some("long"))} y={if is_long { "6.5" } else { "8.5" }} text-anchor="middle">{ short }</text>
@@ -72,4 +74,17 @@ fn draw(agent: usize, name: Html, class: &'static str) -> Html {
             { name }
         </svg>
     }
+}
+
+/// The most letters of a name in a narrow column.
+const NARROW: usize = 14;
+
+/// The name of an agent in a narrow column: of a long one the beginning and the end are seen,
+/// and all of it is read aloud.
+pub(crate) fn narrow_name(name: &str) -> Html {
+    let cut = middle_cut(name, NARROW);
+    if cut == name {
+        return html! { <bdi>{ cut }</bdi> };
+    }
+    html! { <><span class="vh">{ name.to_owned() }</span><bdi aria-hidden="true">{ cut }</bdi></> }
 }

@@ -175,10 +175,10 @@ pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
     let send = send.clone();
     spawn_local(async move {
         if let Err(error) = turn_to(wanted()).await {
-            send.emit(Action::File(FileAction::Refuse(Notice {
-                sentence: tr!("The language did not arrive; the page stays as it is.").to_owned(),
-                details: vec![error],
-            })));
+            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
+                tr!("The language did not arrive; the page stays as it is."),
+                vec![error],
+            ))));
         }
     });
 }

@@ -33,6 +33,7 @@ mod paste;
 mod present;
 mod script;
 mod settings;
+mod sheet;
 mod shown;
 mod slot;
 mod solver;

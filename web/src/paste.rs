@@ -69,10 +69,10 @@ fn wanted(event: &web_sys::Event) -> Option<&ClipboardEvent> {
 
 /// Asks the browser for what was copied, and opens it.
 pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) {
-    let refused = Notice {
-        sentence: tr!("The browser did not let the page read what was copied.").to_owned(),
-        details: vec![tr!("Press Ctrl V instead.").to_owned()],
-    };
+    let refused = Notice::refusal(
+        tr!("The browser did not let the page read what was copied."),
+        vec![tr!("Press Ctrl V instead.").to_owned()],
+    );
     let Some(clipboard) = support::clipboard("readText") else {
         return send.emit(Action::File(FileAction::Refuse(refused)));
     };

@@ -32,13 +32,10 @@ pub(crate) fn use_presenting(is_presented: bool, send: &Callback<Action>) {
         let missing = move |why| {
             failures.set(number + 1);
             send.emit(END);
-            send.emit(Action::File(FileAction::Refuse(Notice {
-                sentence: tr!(
-                    "The presentation could not be loaded. Try again when the network is back."
-                )
-                .to_owned(),
-                details: vec![why],
-            })));
+            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
+                tr!("The presentation could not be loaded. Try again when the network is back."),
+                vec![why],
+            ))));
         };
         let failed = missing.clone();
         if let Err(why) = script::start(SCRIPT, number, failed) {

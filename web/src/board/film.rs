@@ -32,7 +32,6 @@ impl Film {
         let draft = Rc::new(Draft::new(picture.scene.clone()).ok()?);
         let plan = picture.plan.as_ref();
         let agents = draft.agents();
-        let at_goal = picture.scene.rules.at_goal;
         let track = |agent: &giveway_model::Agent| {
             let path = plan.map_or(&[][..], |plan| plan.path(&agent.name));
             let mut path = path.to_vec();
@@ -40,7 +39,8 @@ impl Film {
                 path.push(Some(agent.start));
             }
             let charges = plan.map_or(&[][..], |plan| plan.charges(&agent.name));
-            Track::new(path, charges.to_vec(), None, at_goal)
+            let at_end = picture.scene.rules.at_end_of(agent);
+            Track::new(path, charges.to_vec(), None, at_end)
         };
         let tracks: Vec<Track> = agents.iter().map(track).collect();
         let ways = if tracks.len() <= MOST_WAYS {

@@ -31,11 +31,12 @@ fn same(one: Option<&Rc<Cast>>, other: Option<&Rc<Cast>>) -> bool {
     }
 }
 
-/// The hatch of slow zones: once on the page, for all boards.
-pub(super) fn hatch() -> Html {
+/// The hatch of slow zones: once on the page, for all boards; on paper another one, since
+/// a browser takes none from a board that is hidden.
+pub(crate) fn hatch(id: &'static str) -> Html {
     html! {
         <defs>
-            <pattern id="hatch" width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+            <pattern {id} width="14" height="14" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
                 <path class="hatch-l" d="M7 0V14" />
             </pattern>
         </defs>

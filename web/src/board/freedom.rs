@@ -1,4 +1,4 @@
-//! What must be so, over the map: the ways of all best plans, what closing cells costs,
+//! What all best plans share, over the map: the ways of all best plans, what closing cells costs,
 //! and where a press closes one for a look.
 
 use giveway_page::board::Detail;

@@ -56,7 +56,7 @@ pub(super) fn layers(
     let named = state.named_agent();
     let world = place.world(state);
     let board = (world.grid().width(), world.grid().height());
-    // What must be so takes the place of the ways of the plan that it is laid over.
+    // What all best plans share takes the place of the ways of the plan that it is laid over.
     let is_laid_over = place == Place::Board && state.is_laid_over();
     html! {
         <>

@@ -23,6 +23,9 @@ pub(super) struct MarksProps {
     pub(super) detail: Detail,
     /// Whose goals are seen; all where there is none.
     pub(super) lit: Option<Vec<usize>>,
+    /// The time at which they are drawn at once, on paper.
+    #[prop_or_default]
+    pub(super) still: Option<f64>,
 }
 
 /// All flags and stars.
@@ -53,22 +56,40 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
         let lit = props.lit.as_ref();
         lit.is_some_and(|lit| !lit.contains(&mark.agent))
     };
-    let shape = |mark: &Mark| match props.detail {
-        _ if is_dim(mark) => html! { <g></g> },
-        Detail::Dots => dot(mark),
-        detail => match mark.kind {
-            MarkKind::Goal => flag(mark, detail),
-            MarkKind::Waypoint => star(mark, detail),
-        },
+    let mut occupied = Occupied::default();
+    if let Some(time) = props.still {
+        occupied.see(&props.cast.tracks, time);
+    }
+    let shape = |mark: &Mark| {
+        let is_visited = mark.visited.zip(props.still);
+        let at = Fixed {
+            is_occupied: occupied.has(mark.cell),
+            is_visited: is_visited.is_some_and(|(at, time)| f64::from(at) <= time),
+        };
+        match props.detail {
+            _ if is_dim(mark) => html! { <g></g> },
+            Detail::Dots => dot(mark),
+            detail => match mark.kind {
+                MarkKind::Goal => flag(mark, detail, at),
+                MarkKind::Waypoint => star(mark, detail, at),
+            },
+        }
     };
     html! {
         <g aria-hidden="true" ref={layer}>{ for props.cast.marks.iter().map(shape) }</g>
     }
 }
 
-fn flag(mark: &Mark, detail: Detail) -> Html {
+/// What a frame tells of a mark; on paper it is drawn at once.
+#[derive(Clone, Copy)]
+struct Fixed {
+    is_occupied: bool,
+    is_visited: bool,
+}
+
+fn flag(mark: &Mark, detail: Detail, at: Fixed) -> Html {
     html! {
-        <g class={classes!("flag", glyph::class(mark.agent))} transform={place(mark, (0.0, 0.0))}>
+        <g class={classes!("flag", glyph::class(mark.agent))} transform={place(mark, (0.0, 0.0))} data-occupied={at.is_occupied.then_some("")}>
             <g class="in">
                 <path class="halo" d={FLAG} />
                 <path class="pole" d={FLAG_POLE} />
@@ -79,9 +100,10 @@ fn flag(mark: &Mark, detail: Detail) -> Html {
     }
 }
 
-fn star(mark: &Mark, detail: Detail) -> Html {
+fn star(mark: &Mark, detail: Detail, at: Fixed) -> Html {
     html! {
-        <g class={classes!("star", glyph::class(mark.agent))} transform={cell(mark, (50.0, 42.0))}>
+        <g class={classes!("star", glyph::class(mark.agent))} transform={cell(mark, (50.0, 42.0))}
+            data-occupied={at.is_occupied.then_some("")} data-visited={at.is_visited.then_some("")}>
             // In the corner of an occupied cell they stand in a row.
             <g class={classes!("by", format!("by-{}", mark.place.min(2)))} transform={shift(mark)}>
                 <g class="in">

@@ -24,6 +24,7 @@ mod lesson;
 mod marks;
 mod minimap;
 mod motion;
+mod paper;
 mod picture;
 mod preview;
 mod reasons;
@@ -49,9 +50,11 @@ use beside::Beside;
 use casts::use_casts;
 use cells::Cells;
 pub(crate) use film::Film;
+pub(crate) use floor::hatch;
 use inside::InsideMarks;
 use layers::{Place, layers, problems, square};
 use legend::{Under, under};
+pub(crate) use paper::PaperBoard;
 pub(crate) use picture::picture;
 pub(crate) use preview::Preview;
 use reasons::ReasonMarks;
@@ -93,6 +96,11 @@ pub fn Board(props: &BoardProps) -> Html {
     };
     let viewport = use_viewport(&area, board, whole_map);
     let frame = viewport.frame(board);
+    let frame = if picture::use_drawn() {
+        picture::enlarged(frame)
+    } else {
+        frame
+    };
     let sight = use_sight(frame);
     let detail = frame.detail();
 
@@ -136,7 +144,7 @@ pub fn Board(props: &BoardProps) -> Html {
     let cursor = state.view.cursor;
     let board_now = html! {
         <div class="bd" ref={area}>
-            <svg {class} ref={svg}
+            <svg {class} ref={svg} data-board="main"
                 role="grid" aria-label={BOARD.text()} tabindex="0"
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
                 aria-activedescendant={cells::id(BOARD.english(), cursor)}
@@ -145,7 +153,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onpointerup={gestures.up} onpointercancel={gestures.cancel}
                 onpointerleave={gestures.leave} onwheel={gestures.wheel} onmousedown={gestures.mouse_down}
                 onkeydown={onkeydown.clone()}>
-                { floor::hatch() }
+                { floor::hatch("hatch") }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }
                 <ReasonMarks {reasons} cell_px={frame.cell_px} />
                 <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />

@@ -5,11 +5,14 @@
 //! on the board is left out.
 
 use giveway_model::Grid;
+use giveway_page::board::Frame;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Blob, CssStyleDeclaration, Element, SvgsvgElement, XmlSerializer};
+use web_sys::{Blob, CssStyleDeclaration, Element, Event, SvgsvgElement, XmlSerializer};
+use yew::prelude::hook;
 
 use crate::paper::Paper;
+use crate::sheet::use_between;
 
 /// What is done with, and not part of a picture.
 const OVERLAYS: &str = "[role=row], .hover, .cursor, .selcell, .selring";
@@ -57,14 +60,56 @@ pub(crate) struct Picture {
     size: (u32, u32),
 }
 
+/// The events between which the board has the detail of a picture, whatever its size on the
+/// screen is.
+const BEGIN: &str = "giveway-picture";
+const END: &str = "giveway-picture-end";
+
+/// Whether the board is being drawn for a picture.
+#[hook]
+pub(super) fn use_drawn() -> bool {
+    use_between(BEGIN, END)
+}
+
+/// What is in sight, with cells as large as in a picture, and with room for the axis where
+/// the map begins in sight.
+pub(super) fn enlarged(frame: Frame) -> Frame {
+    let cell_px = CELL_PX.min(LONGEST_PX / frame.width.max(frame.height) * 100.0);
+    let room = |edge: f64| {
+        if edge <= 0.0 {
+            (edge + MARGIN).max(0.0)
+        } else {
+            0.0
+        }
+    };
+    let (left, above) = (room(frame.x), room(frame.y));
+    Frame {
+        x: frame.x - left,
+        y: frame.y - above,
+        width: frame.width + left,
+        height: frame.height + above,
+        cell_px: cell_px.max(frame.cell_px),
+    }
+}
+
 /// The picture of the board, which has this map; its title is for those who
 /// do not see it.
 ///
 /// # Errors
 /// What the browser says; there is nothing that it should refuse.
 pub(crate) fn picture(grid: &Grid, title: &str) -> Result<Picture, JsValue> {
+    let window = gloo::utils::window();
+    window.dispatch_event(&Event::new(BEGIN)?)?;
+    let picture = copied(grid, title);
+    window.dispatch_event(&Event::new(END)?)?;
+    picture
+}
+
+/// The picture of the board as it is.
+fn copied(grid: &Grid, title: &str) -> Result<Picture, JsValue> {
     let document = gloo::utils::document();
-    let board = document.query_selector("svg[aria-label=Board]")?;
+    // Its accessible name is in the language that is spoken.
+    let board = document.query_selector("svg[data-board]")?;
     let board: SvgsvgElement = board.ok_or("no board")?.dyn_into()?;
     let copy: Element = board.clone_node_with_deep(true)?.dyn_into()?;
     let (shapes, copies) = (

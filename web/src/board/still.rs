@@ -18,7 +18,7 @@ pub(crate) fn Still(props: &BoardProps) -> Html {
     let onkeydown = keys::use_cursor_keys(state.view.cursor, send, &Callback::noop(), rows);
     html! {
         <main class="stage">
-            <svg class="vh" aria-hidden="true">{ floor::hatch() }</svg>
+            <svg class="vh" aria-hidden="true">{ floor::hatch("hatch") }</svg>
             <Beside name={BOARD} state={state.clone()} cast={Rc::clone(&cast)}
                 versus={None::<Rc<_>>} {onkeydown} />
         </main>

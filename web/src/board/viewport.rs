@@ -181,6 +181,10 @@ fn watch_size(area: &NodeRef, look: Callback<Look>) -> Box<dyn FnOnce()> {
         let area = area.clone();
         move || {
             let rect = area.get_bounding_client_rect();
+            // On paper the board gives way to another one: the view stays as it was.
+            if rect.width() == 0.0 || rect.height() == 0.0 {
+                return;
+            }
             look.emit(Look::Screen((rect.width(), rect.height())));
         }
     };

@@ -25,6 +25,9 @@ pub(super) struct WaysProps {
     pub(super) selected: Option<usize>,
     /// Whose ways ahead are drawn; all where there is none.
     pub(super) ahead: Option<Vec<usize>>,
+    /// The time at which they are drawn at once, on paper.
+    #[prop_or_default]
+    pub(super) still: Option<f64>,
 }
 
 /// The ways.
@@ -58,19 +61,46 @@ pub(super) fn Ways(props: &WaysProps) -> Html {
         let ahead = props.ahead.as_ref();
         ahead.is_some_and(|ahead| !ahead.contains(&agent))
     };
-    let lines = |&agent: &usize| {
+    let lines = |agent: usize, points: [Option<String>; 2]| {
+        let [behind, ahead] = points;
         html! {
             <g key={agent} class={classes!(glyph::class(agent), is_calm(agent).then_some("no-ahead"))}>
-                <polyline class="trail" />
-                <polyline class="ahead-halo" />
-                <polyline class="ahead" />
+                <polyline class="trail" points={behind} />
+                <polyline class="ahead-halo" points={ahead.clone()} />
+                <polyline class="ahead" points={ahead} />
             </g>
         }
     };
+    let fixed = |agent: usize| {
+        let time = props.still?;
+        let (way, pose) = (
+            &props.cast.ways[agent],
+            props.cast.tracks[agent].pose(time)?,
+        );
+        let stop = way.last_stop(time);
+        Some((way.behind(stop), way.ahead(stop), way.ends(stop, pose.at)))
+    };
+    let still_lines = |&agent: &usize| {
+        let fixed = fixed(agent);
+        lines(
+            agent,
+            [fixed.as_ref().map(|it| it.0.clone()), fixed.map(|it| it.1)],
+        )
+    };
+    let end_lines = |&agent: &usize| {
+        let fixed = fixed(agent);
+        lines(
+            agent,
+            [
+                fixed.as_ref().map(|it| it.2.behind.clone()),
+                fixed.map(|it| it.2.ahead),
+            ],
+        )
+    };
     html! {
         <g aria-hidden="true">
-            <g class="ways-still" ref={still}>{ for shown.iter().map(lines) }</g>
-            <g ref={ends}>{ for shown.iter().map(lines) }</g>
+            <g class="ways-still" ref={still}>{ for shown.iter().map(still_lines) }</g>
+            <g ref={ends}>{ for shown.iter().map(end_lines) }</g>
         </g>
     }
 }

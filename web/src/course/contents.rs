@@ -284,7 +284,7 @@ fn forget(props: &ContentsProps, asks: &UseStateHandle<bool>, next: &NodeRef) ->
             <span class="prog" role="status">{ is_asked.then(|| tr!("Forget how far you came in all lessons?")) }</span>
             <button type="button" class={if is_asked { "btn outline" } else { "btn ghost" }} onclick={turn}><span>{ word }</span></button>
             if is_asked {
-                <button type="button" class="btn outline" onclick={reset}><span>{ tr!("Forget it") }</span></button>
+                <button type="button" class="btn outline" onclick={reset}><span>{ tr!("Reset progress") }</span></button>
             }
         </>
     }

@@ -2,16 +2,25 @@
 
 use std::rc::Rc;
 
-use giveway_course::learner::Action;
+use giveway_course::learner::{Action, Onward};
 use giveway_course::lesson::Lesson;
+use giveway_model::tr;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::contents::Page;
 use super::language;
-use super::place::Place;
+use super::place::{Place, Wanted};
 use super::shelf::Shelf;
 use super::tutor::{Msg, Tutor};
+
+/// A link names a lesson that there is not: the contents show those that there are.
+pub(super) fn no_lesson(name: &str) -> String {
+    tr!(
+        "There is no lesson named {name} here. The link may be damaged; these are the lessons.",
+        name
+    )
+}
 
 impl Tutor {
     /// Fetches index and glossary, where they are neither there nor on their way.
@@ -66,7 +75,7 @@ impl Tutor {
         match lesson {
             Ok(lesson) => {
                 self.lessons.insert(place.lesson.clone(), lesson);
-                if self.wanted.as_ref() == Some(&place) {
+                if self.wanted == Some(Wanted::Place(place.clone())) {
                     self.enter(ctx, place);
                 }
             }
@@ -85,12 +94,29 @@ impl Tutor {
         }
     }
 
+    /// Opens the lesson that comes next, as soon as the index is there.
+    pub(super) fn begin(&mut self, ctx: &Context<Self>) {
+        let Some(shelf) = self.shelf.clone() else {
+            self.warm();
+            self.missing = None;
+            self.wanted = Some(Wanted::Next);
+            return self.fetch(ctx);
+        };
+        match Onward::of(&shelf.course, &self.learner.progress) {
+            Some(next) => {
+                let lesson = next.entry().lesson.clone();
+                self.enter(ctx, Place { lesson, step: None });
+            }
+            None => self.show(Some(Page::Lessons)),
+        }
+    }
+
     /// Opens a place, as soon as what it takes is there.
     pub(super) fn enter(&mut self, ctx: &Context<Self>, place: Place) {
         self.warm();
         self.missing = None;
         let Some(shelf) = self.shelf.clone() else {
-            self.wanted = Some(place);
+            self.wanted = Some(Wanted::Place(place));
             return self.fetch(ctx);
         };
         if place.lesson.is_own()
@@ -100,8 +126,9 @@ impl Tutor {
             return self.open_own(ctx, lesson, place.step);
         }
         if shelf.entry(&place.lesson).is_none() {
-            // A link to a lesson that there is not: here are those that there are.
-            return self.show(Some(Page::Lessons));
+            self.show(Some(Page::Lessons));
+            self.missing = Some(no_lesson(&place.lesson.to_string()));
+            return;
         }
         if let Some(lesson) = self.lessons.get(&place.lesson) {
             let action = Action::Open {
@@ -112,7 +139,7 @@ impl Tutor {
             self.begin_lesson();
             return self.act(ctx, action);
         }
-        self.wanted = Some(place.clone());
+        self.wanted = Some(Wanted::Place(place.clone()));
         let link = ctx.link().clone();
         spawn_local(async move {
             let lesson = shelf.lesson(&place.lesson).await;

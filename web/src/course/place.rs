@@ -1,4 +1,5 @@
-//! A place in the course, as it stands in an address: `room-to-pass.3`.
+//! A place in the course, as it stands in an address: `room-to-pass.3`; and what waits until
+//! it is there.
 
 use giveway_course::lesson::Id;
 
@@ -9,6 +10,15 @@ pub(super) struct Place {
     pub(super) lesson: Id,
     /// The step, from 0; where it was left, if there is none.
     pub(super) step: Option<usize>,
+}
+
+/// What is to be opened as soon as it is there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// A place.
+    Place(Place),
+    /// The lesson that comes next.
+    Next,
 }
 
 impl Place {

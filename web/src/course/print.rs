@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use giveway_course::lesson::{Id, Lesson, Step, Task, Text};
-use giveway_model::{Instance, Plan, tr};
-use giveway_picture::{Look, still};
+use giveway_model::{Cell, Instance, Plan, tr};
+use giveway_picture::{Look, on_paper};
 use gloo::events::EventListener;
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen_futures::JsFuture;
@@ -19,6 +19,8 @@ use super::tutor::Msg;
 const LONGEST_PX: u32 = 560;
 /// The most steps of a plan that fit beside each other.
 const MOST_TIMES: usize = 14;
+/// The most robots beside each other in the table of a longer plan.
+const MOST_ROBOTS: usize = 10;
 /// How many lines there are to write an answer on.
 const LINES: usize = 3;
 
@@ -138,22 +140,41 @@ fn board(lesson: &Lesson, index: usize, step: &Step) -> Option<String> {
     let instance = Instance::new(scene.clone()).ok()?;
     let plan = step.plan.clone().unwrap_or_default();
     let look = Look::fitting(instance.grid(), LONGEST_PX);
-    Some(still(&instance, &plan, f64::from(step.time), &look))
+    Some(on_paper(&instance, &plan, f64::from(step.time), &look))
 }
 
-/// Where each robot is at each time: on paper nothing plays.
+/// Where a robot is at a time: on paper nothing plays.
+fn cell(path: &[Option<Cell>], time: usize) -> Html {
+    // Who has arrived stays.
+    let cell = path.get(time).or(path.last()).copied().flatten();
+    let words = cell.map(|cell| format!("{}, {}", cell.x, cell.y));
+    html! { <td>{ words.unwrap_or_default() }</td> }
+}
+
+/// The plan with a row a time and a column a robot, some robots beside each other.
+fn long(plan: &Plan, steps: usize) -> Html {
+    let robots: Vec<(&String, &Vec<Option<Cell>>)> = plan.paths.iter().collect();
+    let part = |robots: &[(&String, &Vec<Option<Cell>>)]| {
+        html! {
+            <table>
+                <thead><tr><th scope="col">{ tr!("Time") }</th>{ for robots.iter().map(|(name, _)| html! { <th scope="col">{ (*name).clone() }</th> }) }</tr></thead>
+                <tbody>{ for (0..steps).map(|time| html! {
+                    <tr><th scope="row">{ time }</th>{ for robots.iter().map(|(_, path)| cell(path, time)) }</tr>
+                }) }</tbody>
+            </table>
+        }
+    };
+    html! { <>{ for robots.chunks(MOST_ROBOTS).map(part) }</> }
+}
+
+/// Where each robot is at each time.
 fn times(plan: &Plan) -> Html {
     let steps = plan.paths.values().map(Vec::len).max().unwrap_or_default();
     if steps > MOST_TIMES {
-        return html! {};
+        return long(plan, steps);
     }
-    let row = |(name, path): (&String, &Vec<Option<giveway_model::Cell>>)| {
-        let cell = |time: usize| {
-            // Who has arrived stays.
-            let cell = path.get(time).or(path.last()).copied().flatten();
-            let words = cell.map(|cell| format!("{}, {}", cell.x, cell.y));
-            html! { <td>{ words.unwrap_or_default() }</td> }
-        };
+    let row = |(name, path): (&String, &Vec<Option<Cell>>)| {
+        let cell = |time: usize| cell(path, time);
         html! { <tr><th scope="row">{ name.clone() }</th>{ for (0..steps).map(cell) }</tr> }
     };
     html! {

@@ -7,6 +7,7 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use super::language;
+use super::place::Wanted;
 use super::tutor::{Msg, Tutor};
 
 impl Tutor {
@@ -31,9 +32,12 @@ impl Tutor {
             self.act(ctx, Action::Reword { id, lesson });
         }
         if self.shelf.is_some()
-            && let Some(place) = self.wanted.take()
+            && let Some(wanted) = self.wanted.take()
         {
-            self.enter(ctx, place);
+            match wanted {
+                Wanted::Place(place) => self.enter(ctx, place),
+                Wanted::Next => self.begin(ctx),
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_course::judge::Verdict;
-use giveway_course::learner::{Action, Learner};
+use giveway_course::learner::{Action, Learner, NEXT};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{BoardNumber, ToPage};
 use giveway_course::tour::{self, Tour};
@@ -16,13 +16,14 @@ use super::address;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
 use super::contents::{Contents, Page};
+use super::enter::no_lesson;
 use super::kept::Kept;
 use super::keys;
 use super::language;
 use super::lesson;
 use super::line::Line;
 use super::own::Own;
-use super::place::Place;
+use super::place::{Place, Wanted};
 use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus, has_focus, refocus};
@@ -36,8 +37,8 @@ pub(super) enum Msg {
     Do(Action),
     /// Something that happens on the tour.
     Tour(tour::Action),
-    /// The page wants the tour, or an address, to be opened; the contents, where it is
-    /// empty.
+    /// The page wants the tour, the next lesson, or an address to be opened; the contents,
+    /// where it is empty.
     Open(String),
     /// The page tells the language that is spoken.
     Told(String),
@@ -101,7 +102,7 @@ pub(super) struct Tutor {
     /// The lessons that came as a file or in a link.
     pub(super) own: Own,
     /// What is to be opened as soon as it is there.
-    pub(super) wanted: Option<Place>,
+    pub(super) wanted: Option<Wanted>,
     pub(super) page: Option<Page>,
     /// Why something is not there.
     pub(super) missing: Option<String>,
@@ -187,6 +188,7 @@ impl Component for Tutor {
             Msg::Author(msg) => self.author(ctx, msg),
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
+            Msg::Open(name) if name == NEXT => self.begin(ctx),
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => {
                 if let Some(place) = Place::read(&address) {
@@ -194,6 +196,9 @@ impl Component for Tutor {
                 } else {
                     self.guide(tour::Action::End);
                     self.show(Some(Page::Lessons));
+                    if !address.is_empty() {
+                        self.missing = Some(no_lesson(&address));
+                    }
                 }
             }
             Msg::Enter(place) => self.enter(ctx, place),

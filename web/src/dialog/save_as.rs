@@ -1,7 +1,7 @@
 //! The scene and its plan in the formats of other makers, and a report of an audit.
 //! What a format cannot hold is said before anything is saved.
 
-use giveway_model::format::foreign::Format;
+use giveway_formats::Format;
 use giveway_model::words::Later;
 use giveway_model::{tr, tr_later};
 use giveway_page::intake::Written;

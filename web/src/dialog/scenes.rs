@@ -71,11 +71,10 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
             if keep::keep_scene(&state) {
                 names.set(keep::scenes());
             } else {
-                send.emit(Action::File(FileAction::Refuse(Notice {
-                    sentence: tr!("This browser has no room for the scene: save it as a file.")
-                        .to_owned(),
-                    details: Vec::new(),
-                })));
+                send.emit(Action::File(FileAction::Refuse(Notice::refusal(
+                    tr!("This browser has no room for the scene: save it as a file."),
+                    Vec::new(),
+                ))));
             }
         })
     };

@@ -3,20 +3,20 @@
 use giveway_model::tr;
 use giveway_page::inspect::{AgentFacts, BatteryFacts};
 use giveway_page::timeline::{Lane, Way};
-use giveway_page::{Action, PlayAction};
+use giveway_page::{Action, PlayAction, State};
 use yew::prelude::*;
 
 use super::back;
 use crate::glyph;
 
-pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
+pub(super) fn show(state: &State, facts: &AgentFacts, send: &Callback<Action>) -> Html {
     let (visited, waypoints) = facts.waypoints;
     html! {
         <>
             <header class="ih">
                 { back(send) }
-                { glyph::named(facts.agent, &facts.name) }
-                <div><h2>{ facts.name.clone() }</h2><p class="doing">{ facts.doing.clone() }</p></div>
+                { glyph::named(state, facts.agent) }
+                <div><h2><bdi>{ facts.name.clone() }</bdi></h2><p class="doing">{ facts.doing.clone() }</p></div>
             </header>
             <dl class="facts">
                 if let Some(battery) = facts.battery {
@@ -34,7 +34,7 @@ pub(super) fn show(facts: &AgentFacts, send: &Callback<Action>) -> Html {
 }
 
 fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
-    let (slow, waits) = (lane.count(Way::Slow), lane.count(Way::Wait));
+    let (slow, waits, broken) = (lane.count(Way::Slow), lane.waits(), lane.count(Way::Broken));
     let arrival = lane.arrival;
     html! {
         <>
@@ -47,7 +47,10 @@ fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
                 </span></dd>
             </div>
             if waits > 0 {
-                <div><dt>{ tr!("Waits") }</dt><dd><span><b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }</span></dd></div>
+                <div><dt>{ tr!("Waits") }</dt><dd><span>
+                    <b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }
+                    if broken > 0 { { tr!(", {broken} of them broken down", broken) } }
+                </span></dd></div>
             }
             if !lane.charges.is_empty() {
                 <div>

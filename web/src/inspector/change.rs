@@ -1,6 +1,7 @@
 //! What changes in the world: the list, the methods, the history; what can be
 //! changed of an agent.
 
+use giveway_model::change::MAX_DELAY;
 use giveway_model::tr;
 use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
 use giveway_page::{Action, BoardAction, ChangeAction, Edit, State, Tool};
@@ -8,9 +9,6 @@ use yew::prelude::*;
 
 use crate::field::number;
 use crate::{Shown, glyph, icon};
-
-/// The longest breakdown that can be typed, in steps.
-const LONGEST: u32 = 1000;
 
 /// The button that lets the world change; nothing where it cannot.
 pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
@@ -165,7 +163,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
                     if let Some((value, capacity)) = offers.level {
                         { number(tr!("Set battery"), Some(value), (0, capacity), None, &level) }
                     }
-                    { number(tr!("Delay, steps"), offers.delay, (1, LONGEST), Some(tr!("no delay" => "none")), &delay) }
+                    { number(tr!("Delay, steps"), offers.delay, (1, MAX_DELAY), Some(tr!("no delay" => "none")), &delay) }
                 </div>
                 if !offers.waypoints.is_empty() {
                     <ul class="removable" aria-label={tr!("Waypoints")}>{ for offers.waypoints.iter().map(waypoint) }</ul>

@@ -1,4 +1,4 @@
-//! What must be so in every best plan: told of the plan as a whole, of the robot or cell
+//! What all best plans share: told of the plan as a whole, of the robot or cell
 //! selected, and of a cell that is closed for a look.
 
 use giveway_model::{Cell, tr};
@@ -147,13 +147,13 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     html! {
         <ul class="asks"><li><button type="button" class="ask" onclick={act(FreedomAction::Show(true), send)}>
             { icon::show("free") }
-            <span>{ tr!("What must be so in every best plan?") }</span>
+            <span>{ tr!("What do all best plans share?") }</span>
             { icon::at_end("chevron") }
         </button></li></ul>
     }
 }
 
-/// What must be so of the robot or the cell selected, or what could be asked of it.
+/// What all best plans share of the robot or the cell selected, or what could be asked of it.
 pub(super) fn part(state: &State, send: &Callback<Action>) -> Html {
     let Some(part) = giveway_page::freedom::part(state) else {
         return Html::default();

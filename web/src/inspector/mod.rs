@@ -101,7 +101,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
         Selection::Agent(index) => match inspect::agent(state, index) {
             Some(facts) => html! {
                 <>
-                    { agent::show(&facts, send) }
+                    { agent::show(state, &facts, send) }
                     { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
@@ -137,7 +137,7 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
         Selection::Agent(index) => match inspect::agent(state, index) {
             Some(about) => html! {
                 <>
-                    { agent::show(&about, send) }
+                    { agent::show(state, &about, send) }
                     { change::agent(state, index, send) }
                 </>
             },

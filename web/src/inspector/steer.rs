@@ -41,22 +41,22 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Option<Html> {
     let facts = facts(state)?;
     let other = match state.view.selection {
         Selection::Agent(index) if index != facts.agent => {
-            giveway_page::inspect::agent(state, index).map(|about| agent::show(&about, send))
+            giveway_page::inspect::agent(state, index).map(|about| agent::show(state, &about, send))
         }
         Selection::Cell(at) => {
             giveway_page::inspect::cell(state, at).map(|about| cell::show(state, &about, send))
         }
         _ => None,
     };
-    Some(other.unwrap_or_else(|| led(&facts, send)))
+    Some(other.unwrap_or_else(|| led(state, &facts, send)))
 }
 
-fn led(facts: &Facts, send: &Callback<Action>) -> Html {
+fn led(state: &State, facts: &Facts, send: &Callback<Action>) -> Html {
     let open = |text: &String| html! { <li>{ text.clone() }</li> };
     html! {
         <>
             <header class="ih">
-                { glyph::named(facts.agent, &facts.name) }
+                { glyph::named(state, facts.agent) }
                 <div><h2>{ tr!("Your plan") }</h2><p>{ facts.place.clone() }</p></div>
             </header>
             { pad(facts, send) }

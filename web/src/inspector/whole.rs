@@ -28,7 +28,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     html! {
         <>
             { freedom::closed(state, send) }
-            <header class="ih"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
+            <header class="ih whole"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
             { edit::problems(state, send, |_| true) }
             if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
                 <section>
@@ -123,8 +123,11 @@ fn Agents(props: &AgentsProps) -> Html {
             <li key={agent}><button type="button" class="choice" {onclick}>
                 { glyph::show(agent, "choice-glyph") }
                 <span>
-                    <b>{ who.name.clone() }</b>
-                    <small>{ tr!("{start} to {goal}", start = who.start, goal = who.goal) }
+                    <b><bdi>{ who.name.clone() }</bdi></b>
+                    <small>{ match who.goal {
+                            Some(goal) => tr!("{start} to {goal}", start = who.start, goal),
+                            None => tr!("{start}, rests anywhere", start = who.start),
+                        } }
                         if let Some(time) = arrival(agent) { { tr!("behind start and goal" => ", arrives at {time}", time) } }
                     </small>
                 </span>

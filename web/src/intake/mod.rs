@@ -20,7 +20,7 @@ use yew::prelude::*;
 use crate::dialog::Panel;
 use crate::held::Held;
 use crate::paper::Frames;
-use crate::solver::{Event, Hired, Name, Program};
+use crate::solver::{Event, Hired, Name, Program, alone};
 use crate::{Shown, files, language};
 
 /// Does what [`Intake`] says, saves what was packed, and sends what the reader tells. What turns out to be
@@ -126,7 +126,7 @@ impl Reader {
         let program = Rc::clone(&self.0.program);
         match Hired::start(program, Rc::new(move |event| reader.hear(event))) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
-            Err(sentence) => self.broken(sentence),
+            Err(sentence) => self.fail(false, alone(sentence)),
         }
     }
 
@@ -223,11 +223,20 @@ impl Reader {
     }
 
     fn broken(&self, sentence: String) {
-        drop(self.0.worker.take());
+        let had_started = self.0.worker.take().is_some_and(|w| w.is_ready());
+        self.fail(had_started, vec![sentence]);
+    }
+
+    /// What was to be done is not: the worker is no more, or there never was one.
+    fn fail(&self, had_started: bool, details: Vec<String>) {
         drop(self.0.waiting.take());
         drop(self.0.frames.take());
         if let Some(job) = self.0.job.take() {
-            let crash = IntakeAction::Crash { job, sentence };
+            let crash = IntakeAction::Crash {
+                job,
+                had_started,
+                details,
+            };
             self.0.send.emit(Action::Intake(crash));
         }
     }

@@ -10,7 +10,7 @@ use crate::embed::is_embedded;
 /// Inside another page nothing is changed, and loading it anew shows the same.
 pub(super) fn opened() -> Option<Action> {
     // What else stands there is nothing of this page's.
-    let text = taken("giveway=")?;
+    let text = taken(|text| link::is_link(text).then(|| text.to_owned()))?;
     Some(link::open(&text))
 }
 
@@ -33,17 +33,14 @@ pub(crate) fn learn(what: &str) {
 
 /// The lesson that the address names, or a step of it (`room-to-pass.2`), once.
 pub(crate) fn lesson() -> Option<String> {
-    let text = taken(LESSON)?;
-    text.strip_prefix(LESSON).map(str::to_owned)
+    taken(link::lesson)
 }
 
-/// What stands behind `#` where it begins so; the address is then without it.
-fn taken(beginning: &str) -> Option<String> {
+/// What is read of the text behind `#`; the address is then without it.
+fn taken(read: impl FnOnce(&str) -> Option<String>) -> Option<String> {
     let window = gloo::utils::window();
     let hash = window.location().hash().ok()?;
-    let text = hash
-        .strip_prefix('#')
-        .filter(|text| text.starts_with(beginning))?;
+    let text = read(hash.strip_prefix('#')?)?;
     if let (Ok(path), Ok(query), Ok(history)) = (
         window.location().pathname(),
         window.location().search(),
@@ -54,7 +51,7 @@ fn taken(beginning: &str) -> Option<String> {
         // Where it is refused the link is just opened anew the next time.
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
     }
-    Some(text.to_owned())
+    Some(text)
 }
 
 /// The address of the page with the state in it, for a reader's own language.

@@ -150,11 +150,12 @@ impl Course {
     /// It could not be loaded: the next press tries again.
     fn missing(&self, why: String) {
         self.0.stage.set(Stage::Absent);
-        self.0.send.emit(Action::File(FileAction::Refuse(Notice {
-            sentence: tr!("The course could not be loaded. Try again when the network is back.")
-                .to_owned(),
-            details: vec![why],
-        })));
+        self.0
+            .send
+            .emit(Action::File(FileAction::Refuse(Notice::refusal(
+                tr!("The course could not be loaded. Try again when the network is back."),
+                vec![why],
+            ))));
     }
 
     fn listen(&self) {

@@ -14,10 +14,11 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_model::tr;
-use giveway_page::{Action, SolveAction, Work};
+use giveway_page::{Action, FileAction, Notice, SolveAction, Work, link};
 use giveway_solve::{Progress, Request};
 use giveway_wasm::protocol::{Ask, Message};
 use gloo::render::{AnimationFrame, request_animation_frame};
+use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use crate::Shown;
@@ -60,6 +61,17 @@ struct Inner {
 struct News {
     events: Vec<Progress>,
     frame: Option<AnimationFrame>,
+}
+
+/// Why there are no workers here, and where there are some: the browser, or the page around
+/// this one, allows none.
+pub(crate) fn alone(why: String) -> Vec<String> {
+    let href = gloo::utils::window().location().href().unwrap_or_default();
+    vec![
+        why,
+        tr!("Open the page by itself, in a current browser:").to_owned(),
+        link::whole_page(&href),
+    ]
 }
 
 impl Solver {
@@ -125,8 +137,25 @@ impl Solver {
         };
         match Hired::start(Rc::clone(program), hear) {
             Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
-            Err(sentence) => self.fail(sentence, false),
+            Err(sentence) => {
+                self.tell_alone(sentence.clone());
+                self.fail(sentence, false);
+            }
         }
+    }
+
+    /// Tells that nothing can be solved here, and where it can be: the browser, or the
+    /// page around this one, allows no worker.
+    fn tell_alone(&self, why: String) {
+        let send = self.0.send.clone();
+        // Not while the page is being built, and in the place of what is told of the run.
+        Timeout::new(0, move || {
+            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
+                tr!("Plans can be looked at here, but nothing can be solved."),
+                alone(why),
+            ))));
+        })
+        .forget();
     }
 
     /// Posts what waits, if there is somebody who listens.

@@ -80,7 +80,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                 if let Some(note) = note { <b class="no">{ note.place }</b> }
                 { glyph::show(lane.agent, "lane-glyph") }
                 <span class="lane-name">
-                    <b>{ lane.name.clone() }</b>
+                    <b>{ glyph::narrow_name(&lane.name) }</b>
                     if let Some(note) = note {
                         <small>{ note.around.clone() }</small>
                     } else if let Some(fate) = &props.fate {
@@ -220,6 +220,8 @@ fn Bars(props: &BarsProps) -> Html {
             { path("stripes", &shapes.stripes) }
             { path("waits", &shapes.waits) }
             { path("pauses", &shapes.pauses) }
+            { path("broken", &shapes.broken) }
+            { path("crosses", &shapes.crosses) }
             { path("after", &shapes.after) }
             { for over.iter().filter_map(|(class, d)| path(class, d)) }
             { path("differs", &frames.unwrap_or_default()) }

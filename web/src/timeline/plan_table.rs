@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use giveway_model::tr;
 use giveway_page::Reserve;
-use giveway_page::table::{Place, level, place};
+use giveway_page::table::{Place, level, place, spans};
 use giveway_page::timeline::{Axis, Lane};
 use yew::prelude::*;
 
@@ -58,9 +58,10 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
     });
     let times = axis.times;
     let drawn = columns.start.min(times)..columns.end.min(times);
-    // Columns that are not drawn are one wide cell on each side.
-    let side = |columns: u32| {
-        (columns > 0).then(|| html! { <td class="side" colspan={columns.to_string()}></td> })
+    // Columns that are not drawn are wide cells on each side.
+    let side = |columns: u32| -> Html {
+        let wide = |span: u32| html! { <td class="side" colspan={span.to_string()}></td> };
+        spans(columns).map(wide).collect()
     };
     let head = |at: u32| {
         let now = (at == *time).then_some("now");
@@ -77,7 +78,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
             <tr key={at} class={classes!(glyph::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
                 aria-rowindex={(at + 2).to_string()}>
                 if kind == Kind::Cells {
-                    <th scope="row" class="lab"><span>{ lane.name.clone() }{ " " }<small>{ tr!("cell") }</small></span></th>
+                    <th scope="row" class="lab"><span title={lane.name.clone()}>{ glyph::narrow_name(&lane.name) }{ " " }<small>{ tr!("cell") }</small></span></th>
                 } else {
                     <th scope="row" class="lab"><span><span class="vh">{ lane.name.clone() }{ " " }</span><small>{ tr!("level") }</small></span></th>
                 }
@@ -88,8 +89,12 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
         })
     };
     let spacer = |height: f64| {
-        (height > 0.0).then(|| html! {
-            <tr class="side" aria-hidden="true"><td colspan={(times + 1).to_string()} height={height.to_string()}></td></tr>
+        let wide =
+            |span: u32| html! { <td colspan={span.to_string()} height={height.to_string()}></td> };
+        (height > 0.0).then(|| {
+            html! {
+                <tr class="side" aria-hidden="true">{ for spans(times + 1).map(wide) }</tr>
+            }
         })
     };
     html! {
@@ -97,7 +102,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
             width={(label + axis.width()).to_string()}>
             <colgroup>
                 <col class="c0" />
-                <col span={times.to_string()} width={axis.column.to_string()} />
+                { for spans(times).map(|span| html! { <col span={span.to_string()} width={axis.column.to_string()} /> }) }
             </colgroup>
             <thead>
                 <tr aria-rowindex="1">

@@ -227,11 +227,11 @@ fn inside_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) 
         Method::Orders => "agent",
     };
     let method = |method: Method| {
-        let name = tr!(
-            "How it was proved: {title}",
-            title = method.title().to_lowercase()
-        );
-        item(icon(method), &name, press(InsideAction::By(method)))
+        item(
+            icon(method),
+            method.entry(),
+            press(InsideAction::By(method)),
+        )
     };
     html! {
         <>

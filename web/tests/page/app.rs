@@ -21,11 +21,13 @@ async fn tells_that_it_has_no_solver_and_stays_usable() {
         text(&place, "[role=status]").starts_with("Optimal: ")
     })
     .await;
+    // It says so at once, and again when something is to be solved.
+    let says_so = || text(&place, ".notice").contains("nothing can be solved");
+    until("a notice at the beginning", says_so).await;
+    click(&find(&place, ".notice button").await);
+    until("it to go", || text(&place, ".notice").is_empty()).await;
     click(&find(&place, "[title^=Solve]").await);
-    until("a notice", || {
-        text(&place, ".notice").contains("The solver could not be started")
-    })
-    .await;
+    until("a notice", says_so).await;
     until("the plan that there was", || {
         text(&place, "[role=status]").starts_with("Optimal: ")
     })

@@ -1,18 +1,20 @@
 //! The agents, moving evenly from cell to cell.
 
+mod fixed;
 mod parts;
 mod transit;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_page::board::{Cast, Detail};
+use giveway_page::board::{Badge, Cast, Detail};
 use giveway_page::{Point, form};
 use yew::prelude::*;
 
 use super::motion::{children, use_motion};
 use super::viewport::Sight;
 use crate::{Clock, glyph};
+use fixed::Fixed;
 use parts::Parts;
 use transit::Transit;
 
@@ -30,6 +32,9 @@ pub(super) struct AgentsProps {
     pub(super) named: Option<usize>,
     /// What is in sight.
     pub(super) sight: Sight,
+    /// The time at which they are drawn at once, on paper: nothing moves them there.
+    #[prop_or_default]
+    pub(super) still: Option<f64>,
 }
 
 /// Where an agent was drawn last. While it plays, it stays there as long as neither
@@ -117,37 +122,45 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
             }
         </>
     };
+    let fixed = props
+        .still
+        .and_then(|time| props.cast.pose(agent, time))
+        .map(|pose| Fixed::of(&pose, &props.cast))
+        .unwrap_or_default();
+    let does = |badge: Badge| (fixed.does == Some(badge)).then_some("");
     let shape = match detail {
         Detail::Dots => html! { <circle class="form" r="38" /> },
         Detail::Forms => html! { <g class="body">{ crate::form(agent) }</g> },
         Detail::Plain | Detail::All => html! {
             <>
                 <circle class="halo" r="41" />
-                <path class="beak" d="M38-9.5 49 0 38 9.5Z" visibility="hidden" />
+                <path class="beak" d="M38-9.5 49 0 38 9.5Z" transform={fixed.turn.clone()}
+                    visibility={if fixed.turn.is_some() { "visible" } else { "hidden" }} />
                 if has_battery {
                     <circle class="ring" r="36" />
-                    <circle class="lvl" r="36" transform="rotate(-90)" />
+                    <circle class="lvl" r="36" transform="rotate(-90)" stroke-dasharray={fixed.level.clone()} data-level={fixed.reserve} />
                 }
                 <g class="body">
                     { crate::form(agent) }
-                    { name(&props.cast.agents[agent].name) }
+                    { name(&props.cast.badges[agent]) }
                 </g>
-                <g class="badge-at">
-                    <g class="chbadge"><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
-                    <g class="wbadge"><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
+                <g class="badge-at" transform={fixed.badge.clone()}>
+                    <g class="chbadge" data-on={does(Badge::Charges)}><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
+                    <g class="brbadge" data-on={does(Badge::Broken)}><circle r="17" /><path d="M-6-6 6 6M6-6-6 6" /></g>
+                    <g class="wbadge" data-on={does(Badge::Waits)}><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
                 </g>
             </>
         },
     };
-    html! { <g key={agent} {class}>{ selection }{ shape }</g> }
+    html! { <g key={agent} {class} transform={fixed.place.clone()} data-gone={fixed.is_gone.then_some("")}>{ selection }{ shape }</g> }
 }
 
-pub(super) fn name(name: &str) -> Html {
-    let short = form::short_name(name);
-    let is_long = form::is_long(&short);
+/// What stands on a form.
+pub(super) fn name(short: &str) -> Html {
+    let is_long = form::is_long(short);
     html! {
         <text class={classes!("name", is_long.then_some("long"))} y={if is_long { "6.5" } else { "8.6" }} text-anchor="middle">
-            { short }
+            { short.to_owned() }
         </text>
     }
 }

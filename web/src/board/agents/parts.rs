@@ -7,7 +7,7 @@ use crate::board::motion::{Attribute, children_of};
 use crate::board::units;
 
 /// The circumference of a battery ring, in units.
-const RING: f64 = 226.2;
+pub(super) const RING: f64 = 226.2;
 
 /// Where an agent is.
 enum Place {
@@ -21,10 +21,7 @@ enum Place {
 impl Place {
     fn set(&self, x: f64, y: f64, scale: Option<f64>) {
         match self {
-            Self::Shift(shift) => shift.set(&match scale {
-                None => format!("translate({x:.1} {y:.1})"),
-                Some(scale) => format!("translate({x:.1} {y:.1}) scale({scale:.2})"),
-            }),
+            Self::Shift(place) => place.set(&shift(x, y, scale)),
             Self::Middles(middles) => {
                 let (x, y) = (format!("{x:.1}"), format!("{y:.1}"));
                 for (across, down) in middles {
@@ -33,6 +30,14 @@ impl Place {
                 }
             }
         }
+    }
+}
+
+/// The place of an agent as a transform.
+pub(super) fn shift(x: f64, y: f64, scale: Option<f64>) -> String {
+    match scale {
+        None => format!("translate({x:.1} {y:.1})"),
+        Some(scale) => format!("translate({x:.1} {y:.1}) scale({scale:.2})"),
     }
 }
 
@@ -47,6 +52,7 @@ pub(super) struct Parts {
     level: Option<Attribute>,
     charges: Option<Attribute>,
     waits: Option<Attribute>,
+    broken: Option<Attribute>,
     badge: Option<Attribute>,
 }
 
@@ -70,6 +76,7 @@ impl Parts {
             level: part("lvl", "data-level"),
             charges: part("chbadge", "data-on"),
             waits: part("wbadge", "data-on"),
+            broken: part("brbadge", "data-on"),
             badge: part("badge-at", "transform"),
             gone: Attribute::new(agent.clone(), "data-gone"),
             differs: Attribute::new(agent, "data-differs"),
@@ -96,8 +103,10 @@ impl Parts {
             ring.set(&format!("{:.1} {RING}", charge.share * RING));
             level.set(charge.class());
         }
-        if let (Some(charges), Some(waits), Some(badge)) = (&self.charges, &self.waits, &self.badge)
+        if let (Some(charges), Some(waits), Some(broken), Some(badge)) =
+            (&self.charges, &self.waits, &self.broken, &self.badge)
         {
+            broken.toggle(pose.badge == Some(Badge::Broken));
             charges.toggle(pose.badge == Some(Badge::Charges));
             waits.toggle(pose.badge == Some(Badge::Waits));
             if pose.badge.is_some() {

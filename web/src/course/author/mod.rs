@@ -211,7 +211,7 @@ impl Tutor {
                     _ => return,
                 };
                 author.act(action, glossary);
-                tr!("The board is taken.").clone_into(&mut author.told);
+                tr!("Board copied into this step.").clone_into(&mut author.told);
             }
             AuthorMsg::ToPage => {
                 if share::show_on_page(&author.draft) {
