@@ -25,7 +25,7 @@ describe("a lesson that is written", () => {
     await author.fill("Title of the step", "Look");
     await author.fill("Text", "Two robots go around.");
     await author.press("Take the board as it is now");
-    await author.says(/^The board is taken\./);
+    await author.says(/^Board copied into this step\./);
     await author.choose("What there is to do", "Predict something");
     await author.fill("What it asks", "How long do they take?");
     const answer = (number) => author.desk.getByRole("group", { name: `Answer ${number}`, exact: true });

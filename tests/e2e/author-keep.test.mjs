@@ -30,7 +30,7 @@ describe("a lesson that is written", () => {
     await mine.fill("Title of the step", "One");
     await mine.fill("Text", "Mine.");
     await mine.press("Take the board as it is now");
-    await mine.says(/^The board is taken\./);
+    await mine.says(/^Board copied into this step\./);
     await mine.press("Try it");
     await one.at("One");
     // While it is tried here, it is written anew there.

@@ -21,7 +21,7 @@ async function write(author, playground) {
   await author.fill("Title of the step", "Look");
   await author.fill("Text", "[A1](robot:A1) goes along the top.\n\nThere is a *second* way.");
   await author.press("Take the board as it is now");
-  await author.says(/^The board is taken\./);
+  await author.says(/^Board copied into this step\./);
   await author.preview.getByText("second").waitFor();
   await playground.picture("author-first");
   await author.press("Add a step");
@@ -147,7 +147,7 @@ describe("a lesson of one's own", () => {
     await author.fill("Title of the step", "Look");
     await author.fill("Text", "Where do they meet?");
     await author.press("Take the board as it is now");
-    await author.says(/^The board is taken\./);
+    await author.says(/^Board copied into this step\./);
     assert.equal(await author.field("Plan").inputValue(), "given");
     await author.choose("What there is to do", "Find the conflicts");
     await author.fill("What it asks", "Find all.");
@@ -159,7 +159,7 @@ describe("a lesson of one's own", () => {
     await page.getByRole("button", { name: /are both at|swap|and A/ }).first().waitFor();
     await author.open(course);
     await author.press("Take the board as it is now");
-    await author.says(/^The board is taken\./);
+    await author.says(/^Board copied into this step\./);
     assert.equal(await author.field("Plan").inputValue(), "given");
 
     await author.choose("What there is to do", "Pick an answer");
@@ -196,7 +196,7 @@ describe("a lesson of one's own", () => {
     await author.open(new Course(playground));
     await author.fill("Title of the step", "Look");
     await author.press("Take the board as it is now");
-    await author.says(/^The board is taken\./);
+    await author.says(/^Board copied into this step\./);
     await author.choose("What there is to do", "Edit the scene");
     await author.fill("What it asks", "Leave no plan.");
     await author.fill("Text", "See [A9](robot:A9).");

@@ -56,7 +56,7 @@ describe("the course keeps", () => {
       // What is forgotten in one is forgotten in the other, and the open lesson goes on being kept.
       await two.lesson.getByRole("button", { name: "Course" }).click();
       await two.contents.getByRole("button", { name: "Forget my progress" }).click();
-      await two.contents.getByRole("button", { name: "Forget it" }).click();
+      await two.contents.getByRole("button", { name: "Reset progress" }).click();
       await eventually("the focus on the way on", () => two.focused(), (name) => /^Start: /.test(name));
       await keeps(page, (lessons) => Object.keys(lessons).length === 0);
       await one.next.click();
@@ -72,7 +72,7 @@ describe("the course keeps", () => {
     await course.at("Block one cell");
     await course.lesson.getByRole("button", { name: "Course" }).click();
     await course.contents.getByRole("button", { name: "Forget my progress" }).click();
-    await course.contents.getByRole("button", { name: "Forget it" }).click();
+    await course.contents.getByRole("button", { name: "Reset progress" }).click();
     await playground.key("Escape");
     await playground.pick("Obstacle");
     const { x, y } = await playground.middleOf(3, 1);

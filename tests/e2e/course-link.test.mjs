@@ -1,5 +1,6 @@
 // Links to a lesson and to a step of it.
 
+import assert from "node:assert/strict";
 import { describe } from "node:test";
 
 import { Course } from "./course.mjs";
@@ -19,9 +20,16 @@ describe("a link to a lesson", () => {
     await page.goto("about:blank");
     await playground.goto(`${host.url}#lesson=two-robots-one-cell.3`);
     await course.at("Through each other");
-    // One that there is not opens the contents.
-    await page.evaluate(() => { location.hash = "lesson=nobody-wrote-this"; });
+    // One that there is not opens the contents, which say so.
+    for (const name of ["nobody-wrote-this", "Nonsense!!1"]) {
+      await page.evaluate((name) => { location.hash = `lesson=${name}`; }, name);
+      await course.contents.getByRole("alert").getByText(/There is no lesson named .* here/).waitFor();
+      await page.keyboard.press("Escape");
+      await course.contents.waitFor({ state: "detached" });
+    }
+    await page.evaluate(() => { location.hash = "lesson="; });
     await course.contents.waitFor();
+    assert.equal(await course.contents.getByRole("alert").count(), 0, "nothing was asked for by name");
     await page.keyboard.press("Escape");
     await course.lesson.getByRole("button", { name: "Leave the lesson" }).click();
     await page.waitForURL(host.url);

@@ -45,7 +45,7 @@ describe("the course", () => {
     await course.contents.getByRole("button", { name: "Keep it" }).click();
     await course.contents.getByText("Step 2 of 4").waitFor();
     await course.contents.getByRole("button", { name: "Forget my progress" }).click();
-    await course.contents.getByRole("button", { name: "Forget it" }).click();
+    await course.contents.getByRole("button", { name: "Reset progress" }).click();
     await course.contents.getByRole("button", { name: "Start: Two robots, one cell" }).waitFor();
     await page.keyboard.press("Escape");
     await course.contents.waitFor({ state: "detached" });

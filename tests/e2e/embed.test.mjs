@@ -23,7 +23,7 @@ describe("inside another page", () => {
       await playground.press("Step forward");
       await playground.reaches(1);
       const code = await embedCode(playground);
-      assert.ok(code.includes(` src="${host.url}?embed#giveway=1&amp;map=`), code);
+      assert.ok(code.includes(` src="${host.url}?embed#giveway=1&amp;check=`), code);
       assert.match(code, / title="Giveway: warehouse" /);
       await playground.example("No way past");
       await playground.shows("scenario 6");
@@ -33,7 +33,7 @@ describe("inside another page", () => {
 
       // The narrowest phone, or what the code says.
       const frame = await show(page, host, screen === "phone" ? code.replace("640", "320") : code);
-      await eventually("the sentence", () => frame.getByRole("status").textContent(), (text) => /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/.test(text));
+      await eventually("the sentence", () => frame.getByRole("status").first().textContent(), (text) => /^Optimal: makespan 18, sum of costs 35, 3 charges\.$/.test(text));
       const time = frame.getByRole("slider", { name: "Time" });
       const now = async () => Number(await time.inputValue());
       assert.equal(await now(), 1);
@@ -78,10 +78,13 @@ describe("inside another page", () => {
     await frame.evaluate(() => location.reload());
     await frame.waitForLoadState();
     await frame.getByRole("heading", { name: "mine" }).waitFor();
-    const broken = await show(page, host, `<iframe title="broken" width="600" height="400" src="${host.url}?embed#giveway=3"></iframe>`);
-    await eventually("a notice", () => broken.getByRole("alert").innerText(), (text) => /link cannot be opened.*version 3/s.test(text));
+    const broken = await show(page, host, `<iframe title="broken" width="600" height="400" src="${host.url}?embed#giveway=3"></iframe>`, "alert");
+    await eventually("a notice", () => broken.getByRole("alert").first().innerText(), (text) => /cannot be shown.*version 3/s.test(text));
+    assert.equal(await broken.getByRole("grid").count(), 0, "nothing else is shown");
+    assert.equal(await broken.getByRole("link", { name: "Open Giveway" }).count(), 1);
     await page.screenshot({ path: playground.pathOf("embed-refused") });
-    await broken.getByRole("button", { name: "Dismiss" }).click();
+    const cut = await show(page, host, `<iframe title="cut" width="600" height="400" src="${host.url}?embed#giveway%3D1%26map%3D3.3f"></iframe>`, "alert");
+    await eventually("a notice", () => cut.getByRole("alert").first().innerText(), (text) => /This link was cut/.test(text));
   }, { screens: ["desktop"] });
 });
 
@@ -97,7 +100,7 @@ async function embedCode(playground) {
 }
 
 /** Opens a page of the same host, whose storage is the playground's own, with this HTML in it. */
-async function show(page, host, html) {
+async function show(page, host, html, shown = "board") {
   const address = `${host.url}notes.html`;
   await page.unroute(address);
   const body = `<!doctype html><html lang="en"><meta name="viewport" content="width=device-width"><title>Notes</title><h1>Notes</h1>${html}`;
@@ -105,7 +108,7 @@ async function show(page, host, html) {
   await page.goto("about:blank");
   await page.goto(address);
   const frame = await (await page.waitForSelector("iframe")).contentFrame();
-  await frame.getByRole("grid", { name: "Board" }).waitFor();
+  await (shown === "board" ? frame.getByRole("grid", { name: "Board" }) : frame.getByRole("alert").first()).waitFor();
   return frame;
 }
 

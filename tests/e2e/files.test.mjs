@@ -76,8 +76,8 @@ describe("files", () => {
     ["a JSON file with a fault", "fault.json", '{"giveway": 1, "map": [".x"], "agents": []}', /fault\.json, line 1, column 26: map\[0\]\[1\]: found "x"/],
     ["a picture", "photo.png", Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0, 1, 2, 255), /photo\.png cannot be opened/],
     ["an empty file", "empty.json", "", /empty\.json cannot be opened/],
-    ["a huge file", "huge.json", new Uint8Array(10_000_001).fill(32), /found 11 MB, expected at most 10 MB/],
-    ["a map that is larger than the page takes", "large.map", wideMap(600), /600 x 1 cells.*at most 512/s],
+    ["a huge file", "huge.json", new Uint8Array(20_000_001).fill(32), /found 21 MB, expected at most 20 MB/],
+    ["a map that is larger than the page takes", "large.map", wideMap(2100), /2100.*from 1 to 2048/s],
     ["a file that would be a program", "<img src=x onerror=alert(1)>.json", '{"giveway": "<script>alert(1)</script>"}', /<img src=x onerror=alert\(1\)>\.json cannot be opened/],
   ];
   for (const [what, name, bytes, told] of refused) {

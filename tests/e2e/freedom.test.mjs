@@ -1,4 +1,4 @@
-// What must be so: laid over the best plan, cut off, closed cells, another plan as good.
+// What all best plans share: laid over the best plan, cut off, closed cells, another plan as good.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -20,7 +20,7 @@ const THREE_WAYS = {
   ],
 };
 
-const QUESTION = "What must be so in every best plan?";
+const QUESTION = "What do all best plans share?";
 const COUNTED = /^Optimal: makespan 8, .* There are 15 such plans\.$/;
 
 describe("what must be so", () => {
@@ -32,7 +32,7 @@ describe("what must be so", () => {
       await playground.press(QUESTION);
       await settled(playground);
       const { inspector } = playground;
-      await inspector.getByRole("heading", { name: "What must be so" }).waitFor();
+      await inspector.getByRole("heading", { name: "What all best plans share" }).waitFor();
       const text = await inspector.innerText();
       assert.match(text, /11 of 19 steps are the same in every best plan\./);
       assert.match(text, /A1\s[^]*3 ways\s+A2\s+every step is fixed\s+1 way\s+A3\s[^]*5 ways/);
@@ -64,7 +64,7 @@ describe("what must be so", () => {
     await playground.board.focus();
     await playground.key("m");
     await playground.says(COUNTED);
-    const chip = playground.button("What must be so");
+    const chip = playground.button("What all best plans share");
     assert.equal(await chip.getAttribute("aria-pressed"), "true");
     await goTo(playground, 5, 2);
     await playground.key("Enter");
@@ -89,7 +89,7 @@ describe("what must be so", () => {
     await playground.says(/0 charges\.$/);
     assert.equal(await chip.getAttribute("aria-pressed"), "false");
     await playground.key("?");
-    await page.getByRole("dialog", { name: "Keys" }).getByText("What must be so in every best plan").waitFor();
+    await page.getByRole("dialog", { name: "Keys" }).getByText("What all best plans share").waitFor();
   });
 
   flow("closes the cell whose number is pressed, and opens it", async (playground, { page }) => {
@@ -161,7 +161,7 @@ describe("what must be so", () => {
     await playground.pick("Obstacle");
     await playground.cell(0, 0).click();
     await playground.says(/^(The plan above is of the scene before|The scene has changed)/);
-    await eventually("the column to go", () => playground.inspector.getByRole("heading", { name: "What must be so" }).count(), (n) => n === 0);
+    await eventually("the column to go", () => playground.inspector.getByRole("heading", { name: "What all best plans share" }).count(), (n) => n === 0);
     await playground.press("Undo");
     await playground.inspector.getByText("You stopped it. Results may be incomplete.").waitFor();
   });

@@ -17,9 +17,9 @@ const map = (height, width, rows) => `type octile\nheight ${height}\nwidth ${wid
 const FILES = [
   ["a map that claims 100000 x 100000 cells", "a.map", map(100_000, 100_000, "....\n"), /a\.map cannot be opened/],
   ["a map whose sides overflow", "a.map", map("4294967296", "18446744073709551616", "."), /a\.map cannot be opened/],
-  ["a map of 600 x 600 cells", "a.json", json({ map: Array(600).fill(".".repeat(600)) }), /at most 512/],
+  ["a map of 2,100 x 2,100 cells", "a.json", json({ map: Array(2100).fill(".".repeat(2100)) }), /at most 2048/],
   ["a scenario of a million agents", "a.scen", `version 1\n${"0\ta.map\t8\t8\t0\t0\t1\t1\t1\n".repeat(200_000)}`, /a\.scen cannot be opened/],
-  ["1001 agents", "a.json", json({ map: Array(40).fill(".".repeat(40)), agents: Array.from({ length: 1001 }, (_, n) => agent({ name: `A${n}`, start: [n % 40, Math.floor(n / 40)], goal: [n % 40, Math.floor(n / 40)] })) }), /1001 robots/],
+  ["10001 agents", "a.json", json({ map: Array(101).fill(".".repeat(101)), agents: Array.from({ length: 10_001 }, (_, n) => agent({ name: `A${n}`, start: [n % 101, Math.floor(n / 101)], goal: [n % 101, Math.floor(n / 101)] })) }), /10[,.]?001/],
   ["an agent off the map", "a.json", json({ agents: [agent({ goal: [4_294_967_295, 4_294_967_295] })] }), /4294967295/],
   ["numbers that are none", "a.json", json({ agents: [agent({ goal: [1e308, -1] })] }), /a\.json, line 1/],
   ["a battery of minus one", "a.json", json({ agents: [agent({ battery: { capacity: -1, initial: 0 } })] }), /a\.json, line 1/],
@@ -44,7 +44,7 @@ const LINKS = [
   // Runs of letters are all that is ever packed in a link.
   ["a run that would fill the memory", `${LINK}A.0.0.2.0&plan=4000000000w`, /plan is broken/],
   ["a million runs", `${LINK}A.0.0.2.0&plan=${"999999wl".repeat(1000)}`, /plan is broken/],
-  ["more agents than the page takes", `${LINK}${Array(1001).fill("A.0.0.2.0").join(";")}`, /1001 robots/],
+  ["more agents than the page takes", `${LINK}${Array(10_001).fill("A.0.0.2.0").join(";")}`, /10[,.]?001/],
   ["two million letters", `${LINK}${"A".repeat(2_000_000)}`, /longer than the page takes/],
   ["another version", "giveway=99&map=3.3f", /version 99; this page reads version 1/],
   ["a broken escape", `${LINK}%E0%A4.0.0.2.0`, /agents.*broken/],

@@ -157,6 +157,10 @@ describe("links", () => {
     ["a version that is markup", "giveway=<script>alert(1)</script>&map=1.f", /version %3Cscript/],
     ["a map of many cells", "giveway=1&map=256.9999999999f&rules=0.0&costs=0&agents=", /broken/],
     ["a ragged map", "giveway=1&map=5.7f&rules=0.0&costs=0&agents=", /cannot be drawn/],
+    ["an encoded beginning", "giveway%3D1%26map%3D3.3f", /This link was cut/],
+    ["half of it", "giveway=1&check=62.00000000&map=3.3f&name=x", /This link was cut: 15 of its 62 characters arrived/],
+    ["its first letters", "giv", /This link was cut/],
+    ["a changed letter", "giveway=1&check=7.c549acf1&map=2.f", /changed or cut on its way/],
     ["a plan through a wall", "giveway=1&map=3.fof&rules=0.0&costs=0&agents=A.0.0.2.0&plan=2r", /breaks a rule/],
   ]) {
     flow(`with ${what} are refused, and the scene stays`, async (playground, { page }) => {

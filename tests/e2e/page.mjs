@@ -18,7 +18,7 @@ export class Playground {
     this.sceneName = page.getByRole("heading", { level: 1 });
     // Before and after the slot, which has both roles, too.
     this.status = page.getByRole("status").first();
-    this.notice = page.getByRole("alert").last();
+    this.notice = page.locator(".notices");
     this.slot = page.locator("main").getByRole("status").or(page.locator("main").getByRole("alert"));
     this.time = page.getByRole("slider", { name: "Time" });
     this.plan = page.getByRole("table", { name: "Plan" });
@@ -168,7 +168,9 @@ export class Playground {
 
   /** The middle of a cell on the screen, in pixels. */
   async middleOf(x, y) {
-    const box = await this.cell(x, y).boundingBox();
+    // While the page is built anew the cell is not there for a moment.
+    const cell = this.cell(x, y);
+    const box = await eventually(`cell ${x}, ${y} to have a place`, () => cell.boundingBox(), (box) => box !== null);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }
 

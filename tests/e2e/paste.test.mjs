@@ -67,7 +67,7 @@ describe("copying and pasting", () => {
     await playground.pause();
     for (const [text, told] of [
       ['{\n  "giveway": 1,\n  "map": [".."', /Pasted text cannot be opened; the scene stays as it is\..*line 3.*column \d+/s],
-      ["good morning", /Pasted text cannot be opened.*expected a scene, a plan, a map or a link/s],
+      ["good morning", /Pasted text cannot be opened.*good morning.*expected a map, a scenario, an instance or a plan/s],
       ["https://example.org/#giveway=7&map=1.f", /link cannot be opened.*version 7/s],
     ]) {
       await write(page, text);

@@ -19,6 +19,11 @@ describe("pictures of the board", () => {
       await at(playground, 4);
       const svg = await save(playground, "Save picture (SVG)", "warehouse-4.svg");
       await standsByItself(playground.page, svg.toString());
+      // Names and coordinates by the size of a cell in the picture, not on a small screen.
+      const words = [...svg.toString().matchAll(/<text[^>]*>([^<]*)</g)].map(([, word]) => word);
+      for (const word of ["A1", "A2", "0", "9"]) {
+        assert.ok(words.includes(word), `${word} among ${words.join(" ")} on a ${screen}`);
+      }
       const png = await save(playground, "Save picture (PNG)", "warehouse-4.png");
 
       // On a page of its own nothing but the file gives it its look.

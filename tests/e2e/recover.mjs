@@ -6,7 +6,7 @@ import { Playground } from "./page.mjs";
 import { eventually } from "./wait.mjs";
 
 export const OPENING = /^Optimal: makespan 18/;
-export const LINK = "giveway=1&map=3.9f&name=sent&rules=0.0&costs=0&agents=A.0.0.2.2&plan=2r2d";
+export const LINK = "giveway=1&check=63.fa1ec4ab&map=3.9f&name=sent&rules=0.0&costs=0&agents=A.0.0.2.2&plan=2r2d";
 export const NEWER = "giveway-kept=3\nnobody knows what this is\n";
 
 /** A picture of what is said, once it stands still. */

@@ -25,7 +25,7 @@ describe("what is shared", () => {
     assert.match(whole, OF_ANSWER);
     const link = await share(playground, { hidden: true });
     assert.doesNotMatch(link, OF_ANSWER);
-    assert.match(link, /#giveway=1&map=.*&name=warehouse&.*agents=/);
+    assert.match(link, /#giveway=1&check=\d+\.[0-9a-f]{8}&map=.*&name=warehouse&.*agents=/);
 
     const fresh = await elsewhere(page, link);
     await fresh.getByRole("heading", { level: 1, name: /^warehouse/ }).waitFor();
@@ -52,13 +52,13 @@ describe("what is shared", () => {
     await playground.press("Copy embed code");
     await dialog.getByText("Embed code copied.").waitFor();
     const code = await page.evaluate(() => navigator.clipboard.readText());
-    assert.ok(code.includes(` src="${host.url}?embed&amp;lang=de#giveway=1&amp;map=`), code);
+    assert.ok(code.includes(` src="${host.url}?embed&amp;lang=de#giveway=1&amp;check=`), code);
     assert.doesNotMatch(code.replaceAll("&amp;", "&"), OF_ANSWER);
 
     const fresh = await elsewhere(page, code.match(/src="([^"]*)"/)[1].replaceAll("&amp;", "&"));
     const way = fresh.getByRole("link", { name: "In Giveway öffnen" });
     await way.waitFor();
-    assert.match(await way.getAttribute("href"), /\/\?lang=de#giveway=1&map=/);
+    assert.match(await way.getAttribute("href"), /\/\?lang=de#giveway=1&check=/);
     assert.doesNotMatch(await way.getAttribute("href"), OF_ANSWER);
     assert.equal(await fresh.getByRole("slider").count(), 0);
     await fresh.screenshot({ path: playground.pathOf("share-hidden-embed") });

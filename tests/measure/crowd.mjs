@@ -35,7 +35,7 @@ export async function crowd(url) {
   for (const nearer of [0, 2]) {
     figures.push(...await inPage(url, async (playground, browser) => {
       await playground.says(SOLVED);
-      await playground.open(join(root, "crates/giveway-model/tests/data/plans", file));
+      await playground.open(join(root, "crates/giveway-formats/tests/data/plans", file));
       await playground.says(/tracker\.csv keeps every rule/);
       if (await playground.button("Cancel").isVisible()) {
         await playground.press("Cancel");

@@ -1,4 +1,4 @@
-// What must be so in every best plan: ten robots on 10 x 10 cells.
+// What all best plans share: ten robots on 10 x 10 cells.
 
 import { join } from "node:path";
 

@@ -11,7 +11,7 @@ import { brotliCompressSync, constants } from "node:zlib";
 
 import { root } from "../e2e/dist.mjs";
 
-/** The programs, as Trunk is told in index.html. */
+/** The programs that are weighed. */
 const PROGRAMS = [["app", "the page"], ["solver", "the solver"]];
 const TARGET = "wasm32-unknown-unknown";
 const FEATURES = ["bulk-memory", "reference-types", "sign-ext", "nontrapping-float-to-int", "multivalue", "mutable-globals"]

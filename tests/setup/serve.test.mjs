@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { assemble } from "../../scripts/serve/assemble.mjs";
+import { assemble } from "../../scripts/page/assemble.mjs";
 import { serve } from "../../scripts/serve/server.mjs";
 
 let folder;
@@ -42,20 +42,20 @@ function ask(path) {
   });
 }
 
-test("the page names only files that are there, and holds no element of Trunk's", () => {
+test("the page names only files that are there, and holds no element for the build", () => {
   const page = readFileSync(join(folder, "index.html"), "utf8");
   const named = [...page.matchAll(/(?:href|src|data-wasm)="([^"#]+)"/g)].map(([, path]) => path).filter((path) => !path.startsWith("data:"));
   assert.ok(named.length > 20, `found ${named.length} files named`);
   assert.deepEqual(named.filter((path) => !existsSync(join(folder, path))), []);
-  assert.doesNotMatch(page, /data-trunk|trunk-nonce/);
+  assert.doesNotMatch(page, /data-build/);
   assert.match(page, /id="application" rel="modulepreload" href="\.\/app\.js" data-wasm="\.\/app_bg\.wasm"/);
 });
 
 test("an element that it does not know is refused with its text", () => {
   const source = mkdtempSync(join(tmpdir(), "giveway-source-"));
-  writeFileSync(join(source, "index.html"), '<link data-trunk rel="sass" href="a.scss">');
+  writeFileSync(join(source, "index.html"), '<link data-build rel="sass" href="a.scss">');
   mkdirSync(join(source, "out"));
-  assert.throws(() => assemble(source, join(source, "out")), /found <link data-trunk rel="sass" href="a\.scss">, expected one of/);
+  assert.throws(() => assemble(source, join(source, "out")), /found <link data-build rel="sass" href="a\.scss">, expected one of/);
   rmSync(source, { recursive: true });
 });
 

@@ -182,7 +182,8 @@ fn distance(case: &Case, other: &Plan) -> oracle::Distance {
     let (mut agents, mut entries) = (0, 0);
     for agent in case.instance.agents() {
         let [a, b] = [&case.plan, other].map(|plan| &plan.paths[&agent.name]);
-        let at = |path: &Path, time: usize| path.get(time).copied().unwrap_or(Some(agent.goal));
+        let at =
+            |path: &Path, time: usize| path.get(time).or(path.last()).copied().unwrap_or_default();
         let times = 0..a.len().max(b.len());
         let differ = times.filter(|&t| at(a, t) != at(b, t)).count() as u32;
         let [c, d] = [&case.plan, other].map(|plan| plan.charges(&agent.name));

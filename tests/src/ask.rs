@@ -1,9 +1,10 @@
 //! Asking the solver through its one door.
 
-use giveway_model::{Instance, Question};
+use giveway_model::{Instance, Plan, Question};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest};
 use giveway_solve::{
-    FrontAnswer, Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, serve,
+    FrontAnswer, Host, Limits, Progress, Request, Response, SilentHost, SolveAnswer, SolveRequest,
+    Thresholds, serve,
 };
 
 /// Far more conflicts than a test needs: a solver that does not end fails here.
@@ -35,6 +36,45 @@ pub fn best_within_conflicts(
     conflicts: u64,
 ) -> SolveAnswer {
     match response(instance, within, false, conflicts) {
+        Response::Solved(answer) => answer,
+        other => panic!("expected an answer, got {other:?}"),
+    }
+}
+
+/// A host that sets the pace of the search.
+struct Paced(Thresholds);
+
+impl Host for Paced {
+    fn wall_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn thresholds(&self) -> Thresholds {
+        self.0
+    }
+
+    fn progress(&self, _: &Progress) {}
+}
+
+/// The best plan at a pace, with its trace, from a plan on where one is given.
+pub fn best_at_pace(
+    instance: &Instance,
+    within: Option<u32>,
+    pace: Thresholds,
+    start: Option<Plan>,
+) -> SolveAnswer {
+    let request = Request::Solve(SolveRequest {
+        scene: instance.to_scene(),
+        within,
+        start,
+        trace: true,
+        limits: Limits {
+            conflicts: Some(CONFLICTS),
+            ..Limits::default()
+        },
+        ..SolveRequest::default()
+    });
+    match serve(&request, &Paced(pace)) {
         Response::Solved(answer) => answer,
         other => panic!("expected an answer, got {other:?}"),
     }

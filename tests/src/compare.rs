@@ -23,11 +23,20 @@ const CAP: usize = 200_000;
 
 /// Asks the solver and the oracle for the best plan.
 pub fn best(instance: &Instance, within: Option<u32>) -> Comparison {
+    answered(instance, within, || ask::best(instance, within))
+}
+
+/// The same with a solver that is asked in another way.
+pub fn answered(
+    instance: &Instance,
+    within: Option<u32>,
+    ask: impl FnOnce() -> SolveAnswer,
+) -> Comparison {
     let oracle = Oracle { instance };
     let Some(Truth(asked)) = oracle.best(within) else {
         return Comparison::TooLarge;
     };
-    let answer = ask::best(instance, within);
+    let answer = ask();
     let mut faults = Vec::new();
     faults.extend(plan_faults(instance, within, &answer));
     let claim = Claim {

@@ -38,7 +38,11 @@ fn keeping(
     let mut scene = instance.to_scene();
     scene.agents.retain(|agent| {
         let name = agent.name.as_str();
-        question.agent() == Some(name) || has(FactKind::Task, &[name], None)
+        question.agent() == Some(name)
+            || match agent.goal {
+                Some(_) => has(FactKind::Task, &[name], None),
+                None => has(FactKind::Presence, &[name], None),
+            }
     });
     for agent in &mut scene.agents {
         let name = agent.name.clone();
@@ -65,7 +69,11 @@ fn keeping(
     }
     let mut leniency = Leniency::default();
     for (i, a) in scene.agents.iter().enumerate() {
-        if !has(FactKind::Stay, &[&a.name], None) {
+        let stay = match a.goal {
+            Some(_) => FactKind::Stay,
+            None => FactKind::Rest,
+        };
+        if !has(stay, &[&a.name], None) {
             leniency.gone.insert(a.name.clone());
         }
         for b in scene.agents.iter().take(i) {

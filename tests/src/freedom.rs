@@ -267,16 +267,17 @@ fn ways(instance: &Instance, courses: &[Course], answer: &FreedomAnswer) -> Vec<
         let mut steps: BTreeSet<(u32, Cell, Cell)> = BTreeSet::new();
         for way in different {
             let places: Vec<Where> = way.iter().map(|&(place, _)| place).collect();
-            let goal = Where::At(agent.goal);
-            // The arrival: all that follows is the goal, or nowhere.
-            let rests = |place: &&Where| **place == goal && instance.stays();
+            let stays = instance.stays() || agent.goal.is_none();
+            let end = agent.goal.map(Where::At).or(places.last().copied());
+            // The arrival: all that follows is the same cell, or nowhere.
+            let rests = |place: &&Where| Some(**place) == end && stays;
             let gone = |place: &&Where| **place == Where::Gone;
             let tail = places
                 .iter()
                 .rev()
                 .take_while(|p| rests(p) || gone(p))
                 .count();
-            let arrival = places.len() - tail - usize::from(!instance.stays());
+            let arrival = places.len() - tail - usize::from(!stays);
             for time in 0..arrival {
                 if let Where::At(from) = places[time] {
                     let to = match places[time + 1] {
@@ -323,11 +324,14 @@ fn farthest(
             most: known,
         }) => {
             let vector = |plan| recount::costs(plan).vector(instance.objective());
-            *said == most
-                && known.is_proved()
-                && most > 0
-                && is_legal(instance, other)
-                && vector(other) == vector(plan)
+            let no_goal = instance.agents().iter().any(|agent| agent.goal.is_none());
+            // Where agents rest anywhere, no number is claimed to be the most.
+            let is_most = if no_goal {
+                !known.is_proved() && *said > 0
+            } else {
+                known.is_proved() && *said == most
+            };
+            is_most && most > 0 && is_legal(instance, other) && vector(other) == vector(plan)
         }
         _ => false,
     };
@@ -347,7 +351,11 @@ fn differs(instance: &Instance, plan: &Plan, latest: u32, course: &Course) -> u3
         for (time, (places, charges)) in until.enumerate() {
             let here = match at(path, time) {
                 Some(here) => here,
-                None if instance.stays() => Where::At(agent.goal),
+                None if agent.goal.is_none() || instance.stays() => agent
+                    .goal
+                    .map(Where::At)
+                    .or_else(|| at(path, path.len() - 1))
+                    .unwrap(),
                 None => Where::Gone,
             };
             count += u32::from(places[i] != here);
@@ -388,7 +396,7 @@ fn critical(
         };
         let mut agents = instance.agents().iter();
         let is_needed =
-            agents.any(|a| a.start == *cell || a.goal == *cell || a.waypoints.contains(cell));
+            agents.any(|a| a.start == *cell || a.goal == Some(*cell) || a.waypoints.contains(cell));
         let right = match (closed, expected) {
             (_, Verdict::Capped) => return None,
             (Closed::Impossible { needed, .. }, Verdict::Impossible) => {

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use giveway_model::format::{movingai, native};
+use giveway_formats::movingai;
+use giveway_model::format::native;
 use giveway_model::{Instance, Plan};
 
 /// A row of the table of `mmapf`; what is open is `None`.

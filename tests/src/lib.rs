@@ -10,6 +10,7 @@
 pub mod answers;
 pub mod ask;
 pub mod certified;
+pub mod code_map;
 pub mod compare;
 pub mod environment;
 pub mod facts;

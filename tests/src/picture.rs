@@ -56,7 +56,7 @@ pub fn scene(picture: &str) -> Scene {
         scene.agents.push(Agent {
             name: name.to_string(),
             start: start.unwrap_or_else(|| panic!("{name} has no start in\n{picture}")),
-            goal: goal.unwrap_or_else(|| panic!("{name} has no goal in\n{picture}")),
+            goal,
             waypoints,
             battery: batteries.remove(&name.to_string()),
         });

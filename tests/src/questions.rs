@@ -29,7 +29,11 @@ pub struct Case {
 /// The case of a number; `None` where the instance has no plan, or is too large
 /// for the oracle, whose plans these are.
 pub fn random(seed: u64, number: u64) -> Option<Case> {
-    let instance = random::small(seed, number);
+    of(random::small(seed, number), seed, number)
+}
+
+/// The case of a number about an instance.
+pub fn of(instance: Instance, seed: u64, number: u64) -> Option<Case> {
     let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51);
     random.set_stream(number);
     let plan = plan(&instance, &mut random)?;

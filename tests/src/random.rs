@@ -10,6 +10,8 @@ use rand::seq::{IndexedRandom, SliceRandom};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::environment;
+
 /// The random numbers of one instance.
 pub(crate) fn numbers(seed: u64, number: u64) -> ChaCha8Rng {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -44,7 +46,7 @@ pub fn small(seed: u64, number: u64) -> Instance {
             map = map.connected();
         }
         if map.free.len() >= agents && map.free.len() <= most_cells {
-            return size.instance(random, &map);
+            return wanted(size.instance(random, &map), seed, number);
         }
     }
 }
@@ -65,7 +67,7 @@ pub fn crowded(seed: u64, number: u64) -> Instance {
         let obstacles = *[0.0, 0.1, 0.2].choose(random).unwrap();
         let map = Map::new(random, width, height, obstacles).connected();
         if ((3 * agents).div_ceil(2)..=12).contains(&map.free.len()) {
-            return size.instance(random, &map);
+            return wanted(size.instance(random, &map), seed, number);
         }
     }
 }
@@ -89,12 +91,40 @@ pub fn medium(seed: u64, number: u64) -> Instance {
     }
 }
 
+/// The instance, or with `GIVEWAY_RANDOM_GOALLESS=1` the same with agents that have no
+/// goal: every test of random instances can be run over such ones.
+fn wanted(instance: Instance, seed: u64, number: u64) -> Instance {
+    match environment::number("GIVEWAY_RANDOM_GOALLESS", 0) {
+        0 => instance,
+        _ => goalless(&instance, seed, number),
+    }
+}
+
+/// A [`small`] instance where some agents have no goal.
+pub fn small_goalless(seed: u64, number: u64) -> Instance {
+    goalless(&small(seed, number), seed, number)
+}
+
+/// The same instance where half of the agents, and one at least, have no goal: they
+/// may rest at any cell.
+pub fn goalless(instance: &Instance, seed: u64, number: u64) -> Instance {
+    let random = &mut numbers(seed ^ 0x60a1, number);
+    let mut scene = instance.to_scene();
+    let certain = random.random_range(0..scene.agents.len().max(1));
+    for (i, agent) in scene.agents.iter_mut().enumerate() {
+        if random.random_bool(0.5) || i == certain {
+            agent.goal = None;
+        }
+    }
+    Instance::new(scene).expect("fewer goals are as different as before")
+}
+
 /// A cell of the map on which an obstacle may be put without touching a start, a
 /// goal or a waypoint, if there is one.
 pub fn spare_cell(instance: &Instance, seed: u64) -> Option<Cell> {
     let used = |cell: Cell| {
         let mut agents = instance.agents().iter();
-        agents.any(|a| a.start == cell || a.goal == cell || a.waypoints.contains(&cell))
+        agents.any(|a| a.start == cell || a.goal == Some(cell) || a.waypoints.contains(&cell))
     };
     let cells = instance.grid().cells();
     let spare: Vec<Cell> = cells
@@ -102,6 +132,26 @@ pub fn spare_cell(instance: &Instance, seed: u64) -> Option<Cell> {
         .map(|(cell, _)| cell)
         .collect();
     spare.choose(&mut numbers(seed, 0)).copied()
+}
+
+/// The instance, every other one with a battery floor of 1 to 3.
+pub fn with_floor(instance: Instance, number: u64) -> Instance {
+    if number.is_multiple_of(2) {
+        return instance;
+    }
+    instance.with_battery_floor(1 + (number / 2 % 3) as u32)
+}
+
+/// Some of all pairs of different things, at most so many.
+pub fn pairs<T: Clone>(things: &[T], seed: u64, most: usize) -> Vec<[T; 2]> {
+    let mut pairs: Vec<[T; 2]> = Vec::new();
+    for (number, first) in things.iter().enumerate() {
+        let others = things.iter().skip(number + 1);
+        pairs.extend(others.map(|second| [first.clone(), second.clone()]));
+    }
+    pairs.shuffle(&mut numbers(seed, 0));
+    pairs.truncate(most);
+    pairs
 }
 
 /// A map under construction.
@@ -204,11 +254,11 @@ impl Size {
         let agents = (1..).zip(ends).map(|(i, (start, goal))| Agent {
             name: format!("A{i}"),
             start,
-            goal: if vanish && random.random_bool(0.1) {
+            goal: Some(if vanish && random.random_bool(0.1) {
                 start
             } else {
                 goal
-            },
+            }),
             waypoints: self.waypoints(random, map),
             battery: self.battery(random),
         });

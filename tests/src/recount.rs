@@ -15,7 +15,8 @@ pub fn costs(plan: &Plan) -> Costs {
                 costs.waits += 1;
             }
             if pair[1].is_some() {
-                costs.moves += u32::from(pair[1] != last);
+                // (A move that had begun before time 0 was counted then.)
+                costs.moves += u32::from(last.is_some() && pair[1] != last);
                 last = pair[1];
             }
         }

@@ -31,6 +31,10 @@ impl Budget for Counted {
         Ok(())
     }
 
+    fn spend(&self, _states: u64) -> Result<(), Stop> {
+        self.check()
+    }
+
     fn held_bytes(&self) -> &HeldBytes {
         &self.held
     }

@@ -1,7 +1,7 @@
 //! Whether what a certificate says is so, by the oracle.
 
-use giveway_model::{Cell, Cost, Instance, Plan, Question};
-use giveway_proof::{Checked, Claim, Conclusion, Condition, Report};
+use giveway_model::{Cell, Condition, Cost, Instance, Plan, Question};
+use giveway_proof::{Checked, Claim, Conclusion, Report};
 
 use crate::oracle::{self, Contrast, Verdict};
 use crate::recount;
@@ -131,39 +131,40 @@ fn cases(instance: &Instance, condition: Option<&Condition>) -> Vec<Option<Case>
         let path = vec![Some(rest); steps.min(LATE) as usize + 1];
         plan.paths.insert(agent.to_owned(), path);
     };
-    let questions = match condition {
-        Condition::Contrast(Question::NoVisit { agent: None, at }) => names
+    let questions = match condition.clone() {
+        Condition::Visit { agent: None, cell } => names
             .map(|name| Question::NoVisit {
                 agent: Some(name.clone()),
-                at: *at,
+                at: cell,
             })
             .collect(),
-        Condition::Contrast(question) => vec![early(question.clone())],
-        Condition::Arrival { agent, before } => {
-            steps(agent, *before);
-            vec![Question::Arrival {
-                agent: agent.clone(),
-            }]
-        }
-        Condition::AtMost { agent, cost, most } => {
-            let fewer_than = most.saturating_add(1).min(LATE);
+        Condition::Below {
+            agent: Some(agent),
+            cost,
+            limit,
+        } => {
+            let fewer_than = limit.min(LATE);
             let name = Some(agent.clone());
             vec![match cost {
+                Cost::Makespan | Cost::SumOfCosts => {
+                    steps(&agent, limit);
+                    Question::Arrival { agent }
+                }
                 Cost::Charges => {
-                    plan.charges
-                        .insert(agent.clone(), (0..fewer_than).collect());
+                    plan.charges.insert(agent, (0..fewer_than).collect());
                     Question::Charges { agent: name }
                 }
                 Cost::Waits => {
-                    steps(agent, fewer_than);
+                    steps(&agent, fewer_than);
                     Question::Waits { agent: name }
                 }
-                _ => Question::Length {
-                    agent: agent.clone(),
+                Cost::Moves => Question::Length {
+                    agent,
                     fewer_than: Some(fewer_than),
                 },
             }]
         }
+        condition => vec![early(Question::with_contrast(condition).unwrap())],
     };
     let case = |question| {
         Some(Case {

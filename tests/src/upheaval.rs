@@ -26,7 +26,7 @@ pub fn changes(instance: &Instance, makespan: u32, seed: u64, number: u64) -> Ve
                 agent: Agent {
                     name: format!("N{i}"),
                     start: cell(random),
-                    goal: cell(random),
+                    goal: Some(cell(random)),
                     waypoints: Vec::new(),
                     battery: random.random_bool(0.2).then_some(Battery {
                         capacity: 9,
@@ -177,7 +177,7 @@ pub fn crowd(
     let agents = (1..).zip(ends).map(|(i, (start, goal))| Agent {
         name: format!("{prefix}{i}"),
         start,
-        goal,
+        goal: Some(goal),
         waypoints: Vec::new(),
         battery: None,
     });

@@ -65,6 +65,34 @@ fn the_best_plan() {
     });
 }
 
+/// Agents without a goal may rest at any cell, and stay there under both rules.
+#[test]
+fn the_best_plan_of_agents_without_goals() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    compare_all(150, |number, instance| {
+        let instance = random::goalless(&instance, seed, number);
+        let within = (number % 4 == 0).then_some((number % 9) as u32);
+        let comparison = compare::best(&instance, within);
+        Some((instance, comparison))
+    });
+}
+
+#[test]
+fn pareto_fronts_of_agents_without_goals() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    compare_all(15, |number, instance| {
+        let mut costs = instance.objective().costs().to_vec();
+        costs.truncate(3);
+        if costs.len() < 2 {
+            return None;
+        }
+        let instance = random::goalless(&instance, seed, number);
+        let instance = instance.with_objective(Objective::new(costs).unwrap());
+        let comparison = compare::front(&instance, None);
+        Some((instance, comparison))
+    });
+}
+
 #[test]
 fn the_best_plan_within_a_horizon() {
     compare_all(40, |number, instance| {
@@ -144,11 +172,20 @@ fn the_judge_passes_the_plans_of_the_oracle() {
 
 /// Whatever is answered can be shown: each answer is certified, and checked.
 fn certify_all(percent: u64, within: impl Fn(u64) -> Option<u32>) -> Tally {
+    certify_made(percent, within, |_, instance| instance)
+}
+
+/// The same of instances made from the random ones.
+fn certify_made(
+    percent: u64,
+    within: impl Fn(u64) -> Option<u32>,
+    make: impl Fn(u64, Instance) -> Instance,
+) -> Tally {
     let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let count = environment::number("GIVEWAY_RANDOM_CERTIFICATES", 100);
     let mut tally = Tally::default();
     for number in 0..(count * percent).div_ceil(100) {
-        let instance = random::small(seed, number);
+        let instance = make(number, random::small(seed, number));
         let answer = ask::best(&instance, within(number));
         let request = CertifyRequest::of_solved(instance.to_scene(), None, &answer);
         let name = format!("instance {number} of seed {seed}");
@@ -163,6 +200,15 @@ fn certify_all(percent: u64, within: impl Fn(u64) -> Option<u32>) -> Tally {
 fn every_answer_is_certified() {
     let tally = certify_all(100, |_| None);
     assert!(tally.last_lines.len() >= 2, "{:?}", tally.last_lines);
+}
+
+#[test]
+fn every_answer_with_agents_without_goals_is_certified() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let within = |number: u64| number.is_multiple_of(3).then_some((number % 9) as u32);
+    let make = |number, instance| random::goalless(&instance, seed, number);
+    let tally = certify_made(100, within, make);
+    assert!(tally.last_lines.contains_key("Proved"));
 }
 
 #[test]

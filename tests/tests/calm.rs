@@ -90,7 +90,7 @@ fn nobody_drives_back_and_forth_to_pass_time() {
                 scene.agents.push(Agent {
                     name: name.to_owned(),
                     start: Cell::new(x, y),
-                    goal: Cell::new(to_x, to_y),
+                    goal: Some(Cell::new(to_x, to_y)),
                     waypoints: Vec::new(),
                     battery: None,
                 });

@@ -183,7 +183,7 @@ fn names_all(formula: &Cnf, instance: &Instance, plan: &Plan) -> bool {
             && charges
                 .iter()
                 .all(|&time| formula.names().contains(&Name::Charge(i, time)))
-            && plan.path(&agent.name).last() == Some(&Some(agent.goal))
+            && plan.path(&agent.name).last() == Some(&agent.goal)
     })
 }
 

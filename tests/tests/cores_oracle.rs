@@ -168,7 +168,10 @@ impl Seen {
     /// The further sets: each new, and without any fact of those before it where
     /// there is such a set.
     fn look_at_further(&mut self, claim: &Claim, core: &Core, faults: &mut Vec<String>) {
-        let mut counted = core.facts.iter().filter(|f| f.kind != FactKind::Task);
+        let mut counted = core
+            .facts
+            .iter()
+            .filter(|f| !matches!(f.kind, FactKind::Task | FactKind::Presence));
         if !core.further.is_empty() && counted.clone().any(|fact| fact.helps == Helps::Yes) {
             faults.push("a fact helps, and there are further sets".to_owned());
         }
@@ -198,14 +201,6 @@ impl Seen {
             earlier.extend(further.facts.iter().cloned());
         }
     }
-}
-
-/// The instance, every other one with a battery floor of 1 to 3.
-fn with_floor(instance: Instance, number: u64) -> Instance {
-    if number.is_multiple_of(2) {
-        return instance;
-    }
-    instance.with_battery_floor(1 + (number / 2 % 3) as u32)
 }
 
 fn report(number: u64, claim: &Claim, core: &Core, faults: &[String]) {
@@ -267,7 +262,7 @@ fn sets_of_instances_without_a_plan_are_needed_as_a_whole() {
         if seen.sets + seen.too_large >= count {
             break;
         }
-        let instance = with_floor(random::small(seed, number), number);
+        let instance = random::with_floor(random::small(seed, number), number);
         let Some(answer) = ask::unsolvable(&instance) else {
             continue;
         };

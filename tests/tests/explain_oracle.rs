@@ -21,10 +21,25 @@ use giveway_model::question::to_words;
 use giveway_solve::CertifyRequest;
 use giveway_solve::explain::Verdict;
 use giveway_tests::certified::Tally;
-use giveway_tests::{answers, compare::Comparison, environment, questions};
+use giveway_tests::questions::Case;
+use giveway_tests::{answers, compare::Comparison, environment, questions, random};
 
 #[test]
 fn verdicts_and_deltas() {
+    verdicts(questions::random, 15);
+}
+
+#[test]
+fn verdicts_and_deltas_where_robots_have_no_goals() {
+    verdicts(without_goals, 12);
+}
+
+/// A case in which some agents have no goal.
+fn without_goals(seed: u64, number: u64) -> Option<Case> {
+    questions::of(random::small_goalless(seed, number), seed, number)
+}
+
+fn verdicts(case_of: impl Fn(u64, u64) -> Option<Case>, least_kinds: usize) {
     let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let count = environment::number("GIVEWAY_RANDOM_QUESTIONS", 100);
     let (mut differ, mut too_large) = (0, 0);
@@ -35,7 +50,7 @@ fn verdicts_and_deltas() {
         if verdicts.values().sum::<u64>() >= count || too_large > count {
             break;
         }
-        let Some(case) = questions::random(seed, number) else {
+        let Some(case) = case_of(seed, number) else {
             continue;
         };
         let (comparison, answer) = answers::compare(&case, None);
@@ -72,7 +87,7 @@ fn verdicts_and_deltas() {
         let seen = verdicts.get(&verdict).copied().unwrap_or(0);
         assert!(seen * 30 >= count, "{verdict:?}: {seen} of {count}");
     }
-    assert!(kinds.len() >= 15, "{kinds:?}");
+    assert!(kinds.len() >= least_kinds, "{kinds:?}");
 }
 
 /// The fifth verdict: a budget of nothing leaves every question open.
@@ -99,6 +114,15 @@ fn without_a_budget_nothing_is_known() {
 /// Whatever is answered can be shown: each answer is certified, and checked.
 #[test]
 fn every_answer_is_certified() {
+    certified(questions::random);
+}
+
+#[test]
+fn every_answer_where_robots_have_no_goals_is_certified() {
+    certified(without_goals);
+}
+
+fn certified(case_of: impl Fn(u64, u64) -> Option<Case>) {
     let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let count = environment::number("GIVEWAY_RANDOM_CERTIFICATES", 30);
     let mut tally = Tally::default();
@@ -107,7 +131,7 @@ fn every_answer_is_certified() {
         if seen >= count {
             break;
         }
-        let Some(case) = questions::random(seed, number) else {
+        let Some(case) = case_of(seed, number) else {
             continue;
         };
         seen += 1;

@@ -1,4 +1,4 @@
-//! What must be so, cut off at many places: all that is told then is also in the whole
+//! What all best plans share, cut off at many places: all that is told then is also in the whole
 //! answer, and what is missing is said to be open.
 #![allow(
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! What must be so in all best plans, against all of them one by one.
+//! What all best plans share, against all of them one by one.
 //!
 //! `GIVEWAY_RANDOM_FREEDOM` sets of how many random instances (200 by default), and
 //! `GIVEWAY_RANDOM_SEED` the seed. The long run:
@@ -14,21 +14,28 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::Cost;
+use giveway_model::{Cost, Instance};
 use giveway_tests::freedom::{Compared, compare};
 use giveway_tests::{environment, random};
 
 #[test]
 fn all_best_plans() {
-    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let count = environment::number("GIVEWAY_RANDOM_FREEDOM", 200);
+    let kinds = all(random::small, count);
+    let least = count / 50;
+    assert!(kinds.iter().all(|&kind| kind >= least), "{kinds:?}");
+}
+
+/// Compares the answers about the instances of all numbers; how many were of each kind.
+fn all(instance_of: fn(u64, u64) -> Instance, count: u64) -> [u64; 8] {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
     let (mut agreed, mut differ, mut too_large) = (0, 0, 0);
     let mut kinds = [0; 8];
     for number in 0.. {
         if agreed + differ >= count || too_large > 2 * count + 50 {
             break;
         }
-        let instance = random::small(seed, number);
+        let instance = instance_of(seed, number);
         let within = (number % 3 == 0).then_some((number % 11) as u32);
         match compare(&instance, within) {
             Compared::TooLarge => too_large += 1,
@@ -66,6 +73,5 @@ fn all_best_plans() {
     println!("{agreed} agreed, {differ} differ, {too_large} were too large; kinds {kinds:?}");
     assert_eq!(differ, 0, "the scenes and both answers are printed above");
     assert!(agreed >= count, "too many are too large for the oracle");
-    let least = count / 50;
-    assert!(kinds.iter().all(|&kind| kind >= least), "{kinds:?}");
+    kinds
 }

@@ -16,7 +16,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use giveway_course::lesson::{Glossary, read_lesson};
-use giveway_model::format::{foreign, native};
+use giveway_model::format::native;
 use giveway_model::words::{Catalogue, Message, messages, speak};
 use giveway_model::{Cost, Fault};
 use giveway_planners::budget::Stop;
@@ -236,7 +236,7 @@ fn a_fault_of_a_file_is_told_in_the_language_that_is_spoken() {
         )
     };
     let native = |text: &str| wrong(native::read_instance(text));
-    let other = |text: &str| wrong(foreign::read(text));
+    let other = |text: &str| wrong(giveway_formats::read(text));
     let lesson = |text: &str| wrong(read_lesson(text, &Glossary::default()));
     let in_english = native(&scene("[2, 0]"));
     speak(Some(german()));

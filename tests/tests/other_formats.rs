@@ -9,7 +9,7 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::format::foreign::{Format, Gathered, Options, Source, gather, write};
+use giveway_formats::{Combined, Format, Options, Source, combine, write};
 use giveway_model::{Cell, Instance, Plan};
 use giveway_solve::audit::{AuditAnswer, AuditRequest, AuditStatus};
 use giveway_solve::{Request, Response, SilentHost, SolveRequest, Status, serve};
@@ -50,17 +50,17 @@ fn best(instance: &Instance) -> Plan {
 }
 
 /// What is written, read again; `None` where the format cannot hold the plan.
-fn through(format: Format, instance: &Instance, plan: &Plan) -> Option<Gathered> {
+fn through(format: Format, instance: &Instance, plan: &Plan) -> Option<Combined> {
     let written = write(format, "row", Some(instance), Some(plan)).ok()?;
     let files = written.files.iter();
     let sources: Vec<Source<'_>> = files.map(|(name, text)| Source { name, text }).collect();
-    let gathered = gather(&sources, &Options::default());
-    Some(gathered.unwrap_or_else(|refused| panic!("{format}: {refused:?}")))
+    let combined = combine(&sources, &Options::default());
+    Some(combined.unwrap_or_else(|refused| panic!("{format}: {refused:?}")))
 }
 
-fn audit(gathered: &Gathered, plan: &Plan, instance: &Instance) -> AuditAnswer {
+fn audit(combined: &Combined, plan: &Plan, instance: &Instance) -> AuditAnswer {
     let request = Request::Audit(AuditRequest {
-        scene: gathered.instance.to_scene(),
+        scene: combined.instance.to_scene(),
         plan: plan.clone(),
         objective: Some(instance.objective().clone()),
         ..AuditRequest::default()
@@ -92,19 +92,21 @@ fn the_best_plan_is_the_best_in_every_format() {
         let instance = known::mmapf(row);
         let plan = best(&instance);
         for format in PLANS {
-            let gathered = through(format, &instance, &plan).unwrap();
+            let combined = through(format, &instance, &plan).unwrap();
             let tasks = |instance: &Instance| -> Vec<(Cell, Cell)> {
                 let agents = instance.agents().iter();
-                agents.map(|agent| (agent.start, agent.goal)).collect()
+                agents
+                    .map(|agent| (agent.start, agent.goal.unwrap()))
+                    .collect()
             };
             assert_eq!(
-                tasks(&gathered.instance),
+                tasks(&combined.instance),
                 tasks(&instance),
                 "{row} {format}"
             );
-            assert!(!gathered.plans.is_empty(), "{row} {format}");
-            for read in &gathered.plans {
-                let answer = audit(&gathered, &read.plan, &instance);
+            assert!(!combined.plans.is_empty(), "{row} {format}");
+            for read in &combined.plans {
+                let answer = audit(&combined, &read.plan, &instance);
                 assert_eq!(answer.status, AuditStatus::Optimal, "{row} {format}");
                 assert!(answer.better.is_none());
             }
@@ -121,12 +123,12 @@ fn one_step_spoiled_is_found_in_every_format() {
         for (i, format) in PLANS.into_iter().enumerate() {
             let spoiled = spoil(&plan, 5 * number + i);
             // A jump is no move, so formats of moves refuse it when writing.
-            let Some(gathered) = through(format, &instance, &spoiled) else {
+            let Some(combined) = through(format, &instance, &spoiled) else {
                 refused += 1;
                 continue;
             };
-            for read in &gathered.plans {
-                let answer = audit(&gathered, &read.plan, &instance);
+            for read in &combined.plans {
+                let answer = audit(&combined, &read.plan, &instance);
                 assert_ne!(answer.status, AuditStatus::Optimal, "{row} {format}");
                 let is_found = !answer.legal || answer.better.is_some();
                 assert!(is_found, "{row} {format}: {answer:?}");

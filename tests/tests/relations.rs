@@ -172,7 +172,7 @@ fn mirrored(instance: &Instance, mirror: Mirror) -> Instance {
     let mut agents = instance.agents().to_vec();
     for agent in &mut agents {
         agent.start = mirror(agent.start, grid);
-        agent.goal = mirror(agent.goal, grid);
+        agent.goal = agent.goal.map(|goal| mirror(goal, grid));
         for waypoint in &mut agent.waypoints {
             *waypoint = mirror(*waypoint, grid);
         }

@@ -129,6 +129,7 @@ mod layers {
         let crates = crates();
         for layer in [
             "giveway-model",
+            "giveway-formats",
             "giveway-picture",
             "giveway-proof",
             "giveway-planners",
@@ -168,7 +169,7 @@ mod layers {
     }
 
     #[test]
-    fn the_model_does_no_io() {
+    fn model_and_formats_do_no_io() {
         let io = [
             "std::fs",
             "std::io",
@@ -178,14 +179,17 @@ mod layers {
             "std::thread",
             "std::time",
         ];
-        expect_none(&uses("crates/giveway-model/src", &[], &io));
-        expect_none(&uses("crates/giveway-model/src", &[], BROWSER));
+        for source in ["crates/giveway-model/src", "crates/giveway-formats/src"] {
+            expect_none(&uses(source, &[], &io));
+            expect_none(&uses(source, &[], BROWSER));
+        }
     }
 
     #[test]
-    fn the_model_knows_no_solver() {
+    fn model_and_formats_know_no_solver() {
         let solver = ["varisat", "giveway_solve"];
         expect_none(&uses("crates/giveway-model", &[], &solver));
+        expect_none(&uses("crates/giveway-formats", &[], &solver));
     }
 
     #[test]
@@ -552,29 +556,42 @@ mod architecture {
     }
 
     #[test]
-    fn it_names_every_crate_and_every_folder() {
+    fn it_names_every_crate() {
         let text = text();
-        let mut folders = BTreeSet::new();
+        let mut crates = BTreeSet::new();
         for file in source::rust_files() {
-            let mut names: Vec<&str> = file.path.split('/').collect();
-            names.pop();
-            if let Some(last) = names.last() {
-                // `src` stands in each crate, and is told once.
-                folders.insert(
-                    if *last == "src" {
-                        names[names.len() - 2]
-                    } else {
-                        last
-                    }
-                    .to_owned(),
-                );
+            if let Some(("crates", inside)) = file.path.split_once('/') {
+                let (name, _) = inside.split_once('/').unwrap();
+                crates.insert(name.to_owned());
             }
         }
-        let complaints: Vec<String> = folders
+        let complaints: Vec<String> = crates
             .iter()
-            .filter(|folder| !text.contains(&format!("{folder}/")))
-            .map(|folder| format!("ARCHITECTURE.md does not name {folder}/"))
+            .filter(|name| !text.contains(name.as_str()))
+            .map(|name| format!("ARCHITECTURE.md does not name {name}"))
             .collect();
+        expect_none(&complaints);
+    }
+
+    /// Paths that it names in backquotes, where they look like one of ours.
+    #[test]
+    fn every_path_that_it_names_is_there() {
+        let text = text();
+        let mut complaints = Vec::new();
+        for named in text.split('`').skip(1).step_by(2) {
+            let is_path = named.contains('/') && !named.contains(' ') && !named.contains('*');
+            let begins = [
+                "giveway-", "tests/", "static/", "scripts/", "docs/", "web/", "crates/",
+            ];
+            if !is_path || !begins.iter().any(|begin| named.starts_with(begin)) {
+                continue;
+            }
+            let here = source::root().join(named);
+            let in_crates = source::root().join("crates").join(named);
+            if !here.exists() && !in_crates.exists() {
+                complaints.push(format!("ARCHITECTURE.md names {named}, which is not there"));
+            }
+        }
         expect_none(&complaints);
     }
 }

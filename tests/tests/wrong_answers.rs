@@ -175,3 +175,32 @@ fn repairs_about_whichever_agent_are_not_called_all_that_help() {
     let frees = edits.any(|edit| matches!(edit, Edit::RemoveObstacle { .. }));
     assert!(frees || !answer.exhaustive, "{:?}", answer.core);
 }
+
+/// A sum whose last bounds were closed at once stays limited for the agents that the
+/// SAT solver takes in later, whatever the order of the agents.
+#[test]
+fn a_further_cost_is_minimised_among_plans_of_the_least_sum() {
+    let scene = instance("sum-not-pinned.json").to_scene();
+    for (objective, first, expected) in [
+        ("sum-of-costs,moves", 0, vec![527, 463]),
+        ("makespan,sum-of-costs,moves", 0, vec![83, 537, 461]),
+        ("makespan,sum-of-costs,moves", 3, vec![83, 537, 461]),
+    ] {
+        let mut scene = scene.clone();
+        scene.agents.rotate_left(first);
+        let instance = giveway_model::Instance::new(scene).unwrap();
+        let objective: giveway_model::Objective = objective.parse().unwrap();
+        let answer = ask::best(&instance.with_objective(objective.clone()), None);
+        assert_eq!(answer.status, Status::Optimal, "{objective}");
+        assert_eq!(answer.costs.unwrap().vector(&objective), expected);
+        assert!(answer.complete, "{objective}");
+    }
+}
+
+/// Four agents on nine cells have few joint states: they are exhausted.
+#[test]
+fn few_joint_states_are_exhausted() {
+    let answer = ask::best_within_conflicts(&instance("few-joint-states.json"), None, 20_000);
+    assert_eq!(answer.status, Status::Impossible);
+    assert!(answer.complete);
+}

@@ -46,7 +46,10 @@ fn what_is_false_is_rejected() {
         ("f6-cond", "its proofs have other names"),
         ("f6b-two-kinds", "its proofs have other names"),
         ("f7-proof-name", "its proofs have other names"),
-        ("f8-unknown-agent", "about a robot that does not exist"),
+        (
+            "f8-unknown-agent",
+            "expected one of charges, moves or waits",
+        ),
     ] {
         let report = verify(&bundle(case), &Budget::default());
         assert!(!report.accepted, "{case}");
@@ -62,6 +65,16 @@ fn what_is_false_is_rejected() {
     let manifest = manifest.replace("\"why\": \"x\"", "\"why\": \"no-agent\"");
     named.insert("manifest.json".to_owned(), manifest.into_bytes());
     let reason = verify(&named, &Budget::default()).reason.unwrap();
+    assert!(
+        reason.contains("about a robot that does not exist"),
+        "{reason}"
+    );
+    // With a cost that one robot may have a limit of, so is who it is about.
+    let mut nobody = bundle("f8-unknown-agent");
+    let manifest = String::from_utf8(nobody["manifest.json"].clone()).unwrap();
+    let manifest = manifest.replace("\"cost\": \"makespan\"", "\"cost\": \"moves\"");
+    nobody.insert("manifest.json".to_owned(), manifest.into_bytes());
+    let reason = verify(&nobody, &Budget::default()).reason.unwrap();
     assert!(
         reason.contains("about a robot that does not exist"),
         "{reason}"
@@ -216,7 +229,11 @@ fn names_are_no_sentences() {
     let bounds = std::collections::BTreeMap::new();
     let agent = instance.agents()[0].name.clone();
     let about = Claim {
-        condition: Some(giveway_proof::Condition::Arrival { agent, before: 1 }),
+        condition: Some(giveway_model::Condition::Below {
+            agent: Some(agent),
+            cost: Cost::Makespan,
+            limit: 1,
+        }),
         ..Claim::default()
     };
     let solved = Solved {

@@ -32,7 +32,7 @@ export function look(page) {
       isThere: board !== null,
       cells: [...(board?.querySelectorAll("[role=gridcell]") ?? [])].map((cell) => cell.ariaLabel).filter((words) => !words.endsWith(": free")),
       inspector: folds.reduce((words, fold) => words.replace(` ${fold}`, ""), text(inspector)),
-      notice: text([...document.querySelectorAll("[role=alert]")].at(-1)),
+      notice: text([...document.querySelectorAll(".notices")].at(-1)),
       slot: text(document.querySelector("main section[aria-label] h2")?.closest("main section[aria-label]")),
       works: has("Cancel"),
       plays: has("Pause"),
@@ -71,7 +71,7 @@ export async function shared(playground) {
   await playground.key("Escape");
   await dialog.waitFor({ state: "detached" });
   const parts = link.slice(link.indexOf("#") + 1).split("&");
-  return parts.filter((part) => !/^(time|ask)=/.test(part)).join("&");
+  return parts.filter((part) => !/^(check|time|ask)=/.test(part)).join("&");
 }
 
 /** What a person made of a shared document: all of it but the plan. */

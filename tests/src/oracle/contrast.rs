@@ -36,7 +36,9 @@ pub(crate) struct Asked {
     last: Option<u32>,
     /// Whether arrived agents stay.
     stays: bool,
-    goal: Cell,
+    goal: Option<Cell>,
+    /// Wait steps just before time 0 that count.
+    waited: u32,
 }
 
 impl Asked {
@@ -82,7 +84,22 @@ impl Asked {
             last,
             stays,
             goal: agent.goal,
+            waited: 0,
         })
+    }
+
+    /// The same of an agent that has waited for so many steps already.
+    pub(crate) fn having_waited(self, waited: u32) -> Self {
+        Self { waited, ..self }
+    }
+
+    /// What it remembers at time 0.
+    pub(super) fn first(&self) -> Memory {
+        let is_wait = matches!(self.question, Question::Wait { .. });
+        Memory {
+            count: if is_wait { self.waited } else { 0 },
+            ..Memory::default()
+        }
     }
 
     /// It is at a vertex now.
@@ -209,12 +226,24 @@ impl Asked {
                 at,
                 time: Some(time),
                 ..
-            } if *at == self.goal && self.stays => memory.time > *time,
+            } if Some(*at) == self.goal && self.stays => memory.time > *time,
             // Not even none is fewer than none.
             Question::Length { .. }
             | Question::Moves { .. }
             | Question::Charges { .. }
             | Question::Waits { .. } => memory.count < self.below,
+            _ => true,
+        }
+    }
+
+    /// Whether it may rest at this cell for good from now on, where it has no goal.
+    pub(super) fn may_rest(&self, memory: Memory, cell: Cell) -> bool {
+        match &self.question {
+            Question::Visit {
+                at,
+                time: Some(time),
+                ..
+            } if *at == cell && self.stays => memory.time > *time,
             _ => true,
         }
     }

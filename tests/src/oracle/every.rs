@@ -191,9 +191,8 @@ impl Every {
         let lone = &self.joint.agents[agent];
         let state = self.joint.decode(code)[agent];
         match lone.states[state].place {
-            Place::At(cell) => Where::At(cell),
+            Place::At(cell) | Place::Arrived(cell) => Where::At(cell),
             Place::Between(from, to) => Where::Between(from, to),
-            Place::Arrived => Where::At(lone.goal),
             Place::Gone => Where::Gone,
         }
     }

@@ -40,10 +40,14 @@ impl Joint {
             .agents()
             .iter()
             .map(|agent| {
-                let stays = instance.stays() && !leniency.gone.contains(&agent.name);
+                let stays = instance.stays() || agent.goal.is_none();
+                let stays = stays && !leniency.gone.contains(&agent.name);
+                let waited = leniency.waited.get(&agent.name).copied().unwrap_or(0);
                 let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name, stays));
+                let asked = asked.map(|asked| asked.having_waited(waited));
                 let held = leniency.held.get(&agent.name).copied().unwrap_or(0);
-                Lone::new(&world, instance, agent, stays, asked, held)
+                let transit = leniency.transit.get(&agent.name).copied();
+                Lone::new(&world, instance, agent, stays, asked, (held, transit))
             })
             .collect();
         let size = agents

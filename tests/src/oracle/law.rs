@@ -13,9 +13,9 @@ pub(crate) enum Place {
     At(Cell),
     /// In transit on a slow edge.
     Between(Cell, Cell),
-    /// Arrived for good: it holds its goal. Where agents vanish, it does so at
-    /// the time of its arrival only.
-    Arrived,
+    /// Arrived for good: it holds this cell. An agent that vanishes does so at the
+    /// time of its arrival only.
+    Arrived(Cell),
     /// Vanished.
     Gone,
 }
@@ -58,12 +58,14 @@ pub(super) struct Law<'a> {
     pub(super) agent: &'a Agent,
     /// The level below which no battery may fall.
     pub(super) floor: u32,
-    /// Whether arrived agents stay at their goals.
+    /// Whether it stays where it arrives.
     pub(super) stays: bool,
     /// What a question asks of the agent beside its task.
     pub(super) asked: Option<Asked>,
     /// The time before which the agent begins no move.
     pub(super) held: u32,
+    /// The cell from which it comes half way along a slow move at time 0.
+    pub(super) transit: Option<Cell>,
 }
 
 impl Law<'_> {
@@ -74,7 +76,17 @@ impl Law<'_> {
             Some(battery) if battery.initial < self.floor => return Vec::new(),
             Some(battery) => Level::Left(battery.initial),
         };
-        self.on_entering(self.agent.start, 0, level, Memory::default(), 0)
+        let memory = self.asked.as_ref().map(Asked::first).unwrap_or_default();
+        if let Some(from) = self.transit {
+            return vec![State {
+                place: Place::Between(from, self.agent.start),
+                seen: 0,
+                level,
+                memory,
+                clock: 0,
+            }];
+        }
+        self.on_entering(self.agent.start, 0, level, memory, 0)
     }
 
     /// The states possible for an agent that comes to a vertex. When its task is
@@ -111,9 +123,11 @@ impl Law<'_> {
         }];
         let all_seen = seen.count_ones() as usize == self.agent.waypoints.len();
         let may = self.asked.as_ref().is_none_or(|a| a.may_arrive(memory));
-        if cell == self.agent.goal && all_seen && may {
+        let may_rest = self.agent.goal.is_none_or(|goal| goal == cell);
+        let may = may && self.asked.as_ref().is_none_or(|a| a.may_rest(memory, cell));
+        if may_rest && all_seen && may {
             states.push(State {
-                place: Place::Arrived,
+                place: Place::Arrived(cell),
                 seen,
                 level: Level::Unlimited,
                 memory: Memory::default(),
@@ -154,7 +168,7 @@ impl Law<'_> {
         match state.place {
             Place::At(cell) => self.steps_from_vertex(cell, state),
             Place::Between(u, v) => self.steps_in_transit(u, v, state),
-            Place::Arrived | Place::Gone => {
+            Place::Arrived(_) | Place::Gone => {
                 let place = if self.stays { state.place } else { Place::Gone };
                 vec![Next {
                     state: State { place, ..state },
@@ -240,7 +254,8 @@ impl Law<'_> {
             Some(asked) => asked.later(state.memory),
             None => state.memory,
         };
-        let reached = self.on_entering(v, state.seen, level, memory, state.clock);
+        let clock = (state.clock + 1).min(self.held);
+        let reached = self.on_entering(v, state.seen, level, memory, clock);
         let each = reached.into_iter().map(|state| Next {
             state,
             edge: Some((u, v)),

@@ -26,7 +26,6 @@ pub(crate) struct Step {
 pub(crate) struct Lone {
     /// The name of the agent.
     pub(crate) name: String,
-    pub(crate) goal: Cell,
     pub(crate) states: Vec<State>,
     /// The steps from each state.
     pub(crate) steps: Vec<Vec<Step>>,
@@ -38,15 +37,15 @@ pub(crate) struct Lone {
 }
 
 impl Lone {
-    /// Explores the states of an agent that stays at its goal, or does not, and
-    /// begins no move before a time.
+    /// Explores the states of an agent that stays where it arrives, or does not, begins
+    /// no move before a time, and may come from a cell half way along a slow move.
     pub(crate) fn new(
         world: &World,
         instance: &Instance,
         agent: &Agent,
         stays: bool,
         asked: Option<Asked>,
-        held: u32,
+        (held, transit): (u32, Option<Cell>),
     ) -> Self {
         let law = Law {
             world,
@@ -55,6 +54,7 @@ impl Lone {
             stays,
             asked,
             held,
+            transit,
         };
         let (states, steps, first) = explore(&law);
         keep_hopeful(agent, &states, &steps, &first)
@@ -64,15 +64,14 @@ impl Lone {
     /// once it has vanished.
     pub(crate) fn occupies(&self, state: usize) -> Option<Cell> {
         match self.states[state].place {
-            Place::At(cell) => Some(cell),
-            Place::Arrived => Some(self.goal),
+            Place::At(cell) | Place::Arrived(cell) => Some(cell),
             Place::Between(..) | Place::Gone => None,
         }
     }
 
     /// Whether the agent has arrived for good.
     pub(crate) fn is_done(&self, state: usize) -> bool {
-        matches!(self.states[state].place, Place::Arrived | Place::Gone)
+        matches!(self.states[state].place, Place::Arrived(_) | Place::Gone)
     }
 }
 
@@ -109,7 +108,6 @@ fn keep_hopeful(agent: &Agent, states: &[State], steps: &[Vec<Step>], first: &[u
     };
     Lone {
         name: agent.name.clone(),
-        goal: agent.goal,
         states: kept.iter().map(|&s| states[s]).collect(),
         steps: kept
             .iter()
@@ -127,7 +125,7 @@ fn keep_hopeful(agent: &Agent, states: &[State], steps: &[Vec<Step>], first: &[u
 /// is `k + 1` steps away if none of its steps ends nearer than `k` and one ends
 /// there. `None` where there is no way.
 fn steps_to_go(states: &[State], steps: &[Vec<Step>]) -> Vec<Option<u32>> {
-    let done = |s: &State| matches!(s.place, Place::Arrived | Place::Gone).then_some(0);
+    let done = |s: &State| matches!(s.place, Place::Arrived(_) | Place::Gone).then_some(0);
     let mut to_go: Vec<Option<u32>> = states.iter().map(done).collect();
     for round in 1.. {
         let reached: Vec<usize> = (0..states.len())

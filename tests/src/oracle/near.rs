@@ -64,8 +64,9 @@ pub fn least_distance(
             continue;
         }
         near.each(&states, time, |next, price, recharged| {
-            let states = joint.decode(next);
-            let (cost, now) = near.after(&cost, price, &states, time + 1, changed | recharged);
+            let later = joint.decode(next);
+            let steps = (states.as_slice(), later.as_slice());
+            let (cost, now) = near.after(&cost, price, steps, time + 1, changed | recharged);
             let cost = near.flipped(cost, changed, now);
             let moment = (next, time + 1, now);
             if best.get(&moment).is_none_or(|other| cost < *other) {
@@ -111,7 +112,7 @@ impl Near<'_> {
         &self,
         cost: &[u32],
         price: Price,
-        states: &[usize],
+        (before, states): (&[usize], &[usize]),
         time: u32,
         changed: u32,
     ) -> (Vec<u32>, u32) {
@@ -121,15 +122,19 @@ impl Near<'_> {
         }
         let mut changed = changed;
         for (i, agent) in self.joint.agents.iter().enumerate() {
+            let path = &self.plan.paths[&agent.name];
             let place = agent.states[states[i]].place;
             let here: Option<Cell> = match place {
-                Place::Arrived | Place::Gone => Some(agent.goal),
-                Place::At(cell) => Some(cell),
+                Place::Arrived(cell) | Place::At(cell) => Some(cell),
+                // It left from where every plan of it ends.
+                Place::Gone => path.last().copied().unwrap_or_default(),
                 Place::Between(..) => None,
             };
-            let path = &self.plan.paths[&agent.name];
-            let there = path.get(time as usize).copied().unwrap_or(Some(agent.goal));
-            if here != there {
+            let there = path.get(time as usize).or(path.last());
+            let there = there.copied().unwrap_or_default();
+            // Where both are over, there is no entry to compare.
+            let is_over = time as usize >= path.len() && agent.is_done(before[i]);
+            if here != there && !is_over {
                 changed |= 1 << i;
                 if let Some(entries) = cost.last_mut() {
                     *entries += 1;

@@ -41,7 +41,7 @@ fn path(agent: &Lone, states: &[usize]) -> Path {
     let mut path = Path::new();
     for &state in states {
         path.push(agent.occupies(state));
-        if agent.states[state].place == Place::Arrived {
+        if matches!(agent.states[state].place, Place::Arrived(_)) {
             break;
         }
     }

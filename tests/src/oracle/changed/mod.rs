@@ -63,7 +63,9 @@ fn stood(agent: &Agent, path: &[Option<Cell>], charges: &[u32], now: u32) -> u32
     let done = |time: u32| {
         let been = &path[..=time as usize];
         let mut left = agent.waypoints.iter();
-        path[time as usize] == Some(agent.goal) && left.all(|cell| been.contains(&Some(*cell)))
+        let here = path[time as usize];
+        let rests = here.is_some() && here == agent.goal.or(path[now as usize]);
+        rests && left.all(|cell| been.contains(&Some(*cell)))
     };
     let mut since = now;
     while since > 0 && done(since) && done(since - 1) && !charges.contains(&(since - 1)) {
@@ -135,14 +137,15 @@ impl Changed {
         let now = self.at.min(arrival);
         let charges = plan.charges(&agent.name);
         self.count_past(path, charges, now);
-        if !self.stays && arrival < self.at {
+        let stays = self.stays || agent.goal.is_none();
+        if !stays && arrival < self.at {
             self.add_past(Cost::SumOfCosts, arrival);
             self.latest = self.latest.max(arrival);
             return Some(());
         }
         // Who stands at its goal and was to go on has not arrived; but if it stays
         // for good now, it arrived when it came.
-        let stood = if self.stays {
+        let stood = if stays {
             stood(agent, path, charges, now)
         } else {
             0
@@ -167,7 +170,7 @@ impl Changed {
             },
             level,
             held: 0,
-            rested: if self.stays && arrival < self.at {
+            rested: if stays && arrival < self.at {
                 self.at - arrival
             } else {
                 stood

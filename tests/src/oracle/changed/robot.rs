@@ -30,7 +30,8 @@ pub(super) struct Robot {
 pub(super) enum Place {
     At(Cell),
     Between(Cell, Cell),
-    Done,
+    /// Arrived for good at this cell.
+    Done(Cell),
     Gone,
 }
 
@@ -68,10 +69,10 @@ impl Robot {
         let me = self.agent.name.clone();
         match what {
             What::SetGoal { agent, cell } if *agent == me => {
-                if self.agent.goal != *cell {
+                if self.agent.goal != Some(*cell) {
                     self.go_on();
                 }
-                self.agent.goal = *cell;
+                self.agent.goal = Some(*cell);
             }
             What::AddWaypoint { agent, cell } if *agent == me => {
                 self.agent.waypoints.push(*cell);
@@ -104,8 +105,8 @@ impl Robot {
         let mut states = vec![state];
         let all = state.seen.count_ones() as usize == self.agent.waypoints.len();
         let through = self.by != Held::Path || state.progress + 1 == self.rest.len();
-        if cell == self.agent.goal && all && through {
-            let place = Place::Done;
+        if self.agent.goal.is_none_or(|goal| goal == cell) && all && through {
+            let place = Place::Done(cell);
             states.push(State {
                 place,
                 level: 0,
@@ -123,7 +124,7 @@ impl Robot {
         let same = match self.old.get(tick as usize) {
             Some(Some(cell)) if (tick as usize) < last => to.place == Place::At(*cell),
             Some(None) => matches!(to.place, Place::Between(..)),
-            _ => matches!(to.place, Place::Done | Place::Gone),
+            _ => matches!(to.place, Place::Done(_) | Place::Gone),
         };
         let disturbed = u32::from(to.same && !same);
         to.same &= same;

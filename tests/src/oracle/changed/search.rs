@@ -26,7 +26,7 @@ impl Changed {
             }
             if states
                 .iter()
-                .all(|s| matches!(s.place, Place::Done | Place::Gone))
+                .all(|s| matches!(s.place, Place::Done(_) | Place::Gone))
             {
                 return Known::Best(vector);
             }
@@ -52,13 +52,13 @@ impl Changed {
         each: &mut impl FnMut(Vec<State>, Vec<u32>),
     ) {
         let mut chosen: Vec<Vec<Step>> = vec![Vec::new()];
-        for (a, steps) in choices.iter().enumerate() {
+        for steps in choices {
             let mut longer = Vec::new();
             for list in &chosen {
                 for step in steps {
-                    let free = list.iter().enumerate().all(|(b, other)| {
-                        let here = self.cell(a, step.to);
-                        let meet = here.is_some() && here == self.cell(b, other.to);
+                    let free = list.iter().all(|other| {
+                        let here = Self::cell(step.to);
+                        let meet = here.is_some() && here == Self::cell(other.to);
                         let back = other.edge.map(|(u, v)| (v, u));
                         !meet && (step.edge.is_none() || step.edge != back)
                     });
@@ -90,10 +90,9 @@ impl Changed {
         }
     }
 
-    fn cell(&self, robot: usize, state: State) -> Option<Cell> {
+    const fn cell(state: State) -> Option<Cell> {
         match state.place {
-            Place::At(cell) => Some(cell),
-            Place::Done => Some(self.robots[robot].agent.goal),
+            Place::At(cell) | Place::Done(cell) => Some(cell),
             Place::Between(..) | Place::Gone => None,
         }
     }
@@ -113,12 +112,12 @@ impl Changed {
             _ => vec![state],
         };
         let steps = states.into_iter().map(|state| Step {
-            steps: if state.place == Place::Done {
+            steps: if matches!(state.place, Place::Done(_)) {
                 0
             } else {
                 robot.rested
             },
-            waits: if state.place == Place::Done {
+            waits: if matches!(state.place, Place::Done(_)) {
                 0
             } else {
                 robot.stood
@@ -127,7 +126,8 @@ impl Changed {
         });
         // Below the floor only who sleeps on may be.
         let lasts = |step: &Step| {
-            robot.level >= self.floor || (robot.rested > 0 && step.to.place == Place::Done)
+            robot.level >= self.floor
+                || (robot.rested > 0 && matches!(step.to.place, Place::Done(_)))
         };
         steps.filter(lasts).collect()
     }
@@ -162,8 +162,9 @@ impl Changed {
             });
         };
         match state.place {
-            Place::Done | Place::Gone => {
-                let place = if self.stays { state.place } else { Place::Gone };
+            Place::Done(_) | Place::Gone => {
+                let stays = self.stays || robot.agent.goal.is_none();
+                let place = if stays { state.place } else { Place::Gone };
                 return vec![Step {
                     steps: 0,
                     ..robot.step(State { place, ..state }, tick + 1)
