@@ -4,7 +4,6 @@
 
 readonly cache=${XDG_CACHE_HOME:-$HOME/.cache}/giveway
 readonly wasm_target=wasm32-unknown-unknown
-readonly trunk_version=0.21.14
 readonly wasm_pack_version=0.15.1
 readonly rate_version=0.3.0
 # The command must be of the very version of the library.
@@ -184,8 +183,7 @@ set_up_page() {
     need_node
     lock_cache
     npm_packages
-    cargo_tool trunk trunk "$trunk_version"
-    cargo_tool wasm-bindgen wasm-bindgen-cli "$wasm_bindgen_version"
+    bind_tool
     rm -rf "$cache/tools/build"
     unlock_cache
 }
@@ -262,6 +260,7 @@ install_browser() {
 set_up_tests() {
     set_up_page
     lock_cache
+    cargo_tool wasm-bindgen wasm-bindgen-cli "$wasm_bindgen_version"
     cargo_tool wasm-pack wasm-pack "$wasm_pack_version"
     rm -rf "$cache/tools/build"
     unlock_cache

@@ -7,8 +7,9 @@ import { setTimeout } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 
-import { assemble } from "./assemble.mjs";
-import { build } from "./build.mjs";
+import { assemble } from "../page/assemble.mjs";
+import { compile } from "../page/compile.mjs";
+import { makeReloading } from "./reload.mjs";
 import { serve } from "./server.mjs";
 
 /** What the page is made of. */
@@ -45,9 +46,10 @@ function options() {
 async function make(changed) {
   const start = performance.now();
   if (!changed.every((path) => COPIED.test(path))) {
-    await build(source, folder);
+    await compile(source, folder, "quick");
   }
   assemble(source, folder);
+  makeReloading(folder);
   console.log(`Built in ${((performance.now() - start) / 1000).toFixed(1)} s.`);
 }
 
