@@ -1,21 +1,21 @@
-//! The budget of one request, and the tally of its work.
+//! The budget of one request: its limits and cooperative cancellation.
 //!
-//! One budget goes with a request. Whoever works asks it, often, whether to go
-//! on; it never decides anything else, so that time cannot change an answer but
-//! only cut it short. A limit of work cuts it short at the same place each time.
+//! Inner loops ask it whether to go on. It decides nothing else, so that time cannot
+//! change an answer but only cut it short. A limit of work cuts it short at the same
+//! place each time.
 
+mod counts;
+mod tell;
+#[cfg(test)]
+mod tests;
 mod work;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_model::Cost;
 use giveway_planners::budget as planners;
 
-use crate::{
-    Host, Limits, Progress, Stats, Thresholds,
-    trace::{Names, Recorder, SearchEvent, SearchTrace},
-};
+use crate::{Host, Limits, Thresholds, trace::Recorder};
 
 pub(crate) use planners::{Held, HeldBytes, Stop};
 use work::Work;
@@ -113,24 +113,6 @@ impl<'h> Budget<'h> {
         part
     }
 
-    /// Steps of joint states that may still be looked at: a bound that needs no
-    /// clock, so that proofs by exhaustion stay as long as they are worth it.
-    pub(crate) fn joint_left(&self) -> u64 {
-        self.joint_left.get()
-    }
-
-    /// Counts steps of joint states that were looked at.
-    pub(crate) fn count_joint(&self, steps: u64) {
-        self.joint_left
-            .set(self.joint_left.get().saturating_sub(steps));
-    }
-
-    /// The same budget, whose request is told as a trace.
-    pub(crate) fn traced(mut self, recorder: Recorder) -> Self {
-        self.recorder = Some(Rc::new(recorder));
-        self
-    }
-
     /// The same budget with a limit of clauses that the SAT solver may derive.
     pub(crate) fn with_derived(mut self, clauses: u64) -> Self {
         self.most_derived = self.most_derived.min(clauses);
@@ -172,69 +154,12 @@ impl<'h> Budget<'h> {
         self.most_clauses.saturating_sub(self.clauses.get())
     }
 
-    /// Adds the work of a part to this tally.
-    pub(crate) fn absorb(&self, part: &Self) {
-        let add = |cell: &Cell<u64>, more: &Cell<u64>| cell.set(cell.get() + more.get());
-        add(&self.calls, &part.calls);
-        add(&self.variables, &part.variables);
-        add(&self.clauses, &part.clauses);
-        add(&self.conflicts, &part.conflicts);
-        add(&self.derived, &part.derived);
-        self.work.add(part.work.spent());
-        self.count_joint(part.joint_given - part.joint_left.get());
-    }
-
     /// Whether it holds too much, by its own estimate or by the host's word.
     /// What was there before the request may be used again.
     fn is_too_large(&self) -> bool {
         let most = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
         let size = self.host.memory_bytes();
         self.held.get() > most || size > most.max(self.memory_start)
-    }
-
-    /// Counts a call of a SAT solver with so many variables.
-    pub(crate) fn count_call(&self, variables: u32) {
-        self.calls.set(self.calls.get() + 1);
-        self.work
-            .add(u64::from(variables) / work::VARIABLES_PER_UNIT);
-    }
-
-    pub(crate) fn count_variable(&self) {
-        self.variables.set(self.variables.get() + 1);
-    }
-
-    pub(crate) fn count_clause(&self) {
-        self.clauses.set(self.clauses.get() + 1);
-        self.work.add(work::CLAUSE);
-    }
-
-    pub(crate) fn count_conflicts(&self, conflicts: u64) {
-        self.conflicts.set(self.conflicts.get() + conflicts);
-        if let Some(recorder) = &self.recorder {
-            recorder.count_conflicts(conflicts);
-        }
-    }
-
-    pub(crate) fn count_derived(&self, clauses: u64) {
-        self.derived.set(self.derived.get() + clauses);
-        self.work.add(work::DERIVED * clauses);
-    }
-
-    /// Conflicts of the SAT solver.
-    pub(crate) fn conflicts(&self) -> u64 {
-        self.conflicts.get()
-    }
-
-    /// Clauses that were given to the SAT solver.
-    pub(crate) fn given(&self) -> u64 {
-        self.clauses.get()
-    }
-
-    /// Clauses that the SAT solver derived: learnt from conflicts, or rewritten
-    /// when a literal came to hold for good. A measure of its work, by which
-    /// the search paces itself.
-    pub(crate) fn derived(&self) -> u64 {
-        self.derived.get()
     }
 
     /// Whether the search runs on the second SAT solver.
@@ -246,94 +171,6 @@ impl<'h> Budget<'h> {
     /// The pace of the search.
     pub(crate) const fn thresholds(&self) -> &Thresholds {
         &self.thresholds
-    }
-
-    /// Tells the host that something became known.
-    pub(crate) fn report(&self, event: &Progress) {
-        if !self.quiet {
-            self.host.progress(event);
-        }
-    }
-
-    /// Writes an event down, where a trace is asked for: its number.
-    pub(crate) fn record(&self, event: impl FnOnce(&Names) -> SearchEvent) -> Option<u64> {
-        let recorder = self.recorder.as_ref()?;
-        let number = recorder.record(event(recorder.names()));
-        self.report_trace(recorder);
-        Some(number)
-    }
-
-    /// Writes down what each agent needs alone of a cost, once for each cost.
-    pub(crate) fn record_alone(&self, cost: Cost, least: &[u32]) {
-        let Some(recorder) = &self.recorder else {
-            return;
-        };
-        if recorder.is_first_of(cost) {
-            self.record(|names| SearchEvent::Alone {
-                cost,
-                agents: names.with_least(least),
-                at_least: match cost {
-                    Cost::Makespan => least.iter().copied().max().unwrap_or(0),
-                    _ => least.iter().sum(),
-                },
-            });
-        }
-    }
-
-    /// The number that the next event gets, where a trace is asked for.
-    pub(crate) fn next_event(&self) -> Option<u64> {
-        self.recorder.as_ref().map(|recorder| recorder.count())
-    }
-
-    /// Whether a trace is asked for.
-    pub(crate) const fn is_traced(&self) -> bool {
-        self.recorder.is_some()
-    }
-
-    /// Tells the host what was written down, once in a while.
-    fn report_trace(&self, recorder: &Recorder) {
-        if recorder.is_due(|| self.host.wall_seconds()) {
-            let events = recorder.take_untold();
-            self.host.progress(&Progress::Traced { events });
-        }
-    }
-
-    /// The trace so far, all of which the host has been told of now.
-    pub(crate) fn trace(&self) -> Option<SearchTrace> {
-        let recorder = self.recorder.as_ref()?;
-        let events = recorder.take_untold();
-        if !events.is_empty() {
-            self.host.progress(&Progress::Traced { events });
-        }
-        Some(recorder.trace())
-    }
-
-    /// Tells the host the size of the work, when it has grown by a tenth.
-    pub(crate) fn report_size(&self) {
-        if let Some(recorder) = &self.recorder {
-            self.report_trace(recorder);
-        }
-        let size = self.clauses.get() + 10 * self.conflicts.get();
-        if size > self.reported_at.get() + self.reported_at.get() / 10 + 1000 {
-            self.reported_at.set(size);
-            self.report(&Progress::Size {
-                variables: self.variables.get(),
-                clauses: self.clauses.get(),
-                conflicts: self.conflicts.get(),
-            });
-        }
-    }
-
-    /// The tally so far.
-    pub(crate) fn stats(&self) -> Stats {
-        Stats {
-            cpu_seconds: self.host.cpu_seconds() - self.cpu_start,
-            solver_calls: self.calls.get(),
-            variables: self.variables.get(),
-            clauses: self.clauses.get(),
-            conflicts: self.conflicts.get(),
-            work: self.work.spent(),
-        }
     }
 
     /// Whether to go on; once it says no, it says no for good.
@@ -400,39 +237,5 @@ impl planners::Budget for Budget<'_> {
 
     fn held_bytes(&self) -> &HeldBytes {
         &self.held
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::SilentHost;
-
-    #[test]
-    fn a_part_counts_the_memory_and_the_clauses_of_the_whole() {
-        let limits = Limits {
-            memory_bytes: Some(1_000),
-            ..Limits::default()
-        };
-        let whole = Budget::new(&SilentHost, limits).with_clauses(2);
-        let mut held = Held::default();
-        whole.hold_more(&mut held, 900);
-        whole.count_clause();
-        let part = whole.part(Limits::default());
-        assert_eq!(part.clauses_left(), 1);
-        assert_eq!(part.check(), Ok(()));
-        let mut more = Held::default();
-        part.hold_more(&mut more, 200);
-        assert_eq!(part.check(), Err(Stop::Memory));
-        assert_eq!(whole.check(), Err(Stop::Memory));
-    }
-
-    #[test]
-    fn after_a_stop_no_state_is_looked_at() {
-        let budget = Budget::new(&SilentHost, Limits::default()).with_clauses(0);
-        assert_eq!(budget.tick(), Ok(()));
-        budget.count_clause();
-        assert_eq!(budget.check(), Err(Stop::Conflicts));
-        assert_eq!(budget.tick(), Err(Stop::Conflicts));
     }
 }

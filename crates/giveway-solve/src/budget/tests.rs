@@ -1,0 +1,32 @@
+//! Limits of a part are those of the whole.
+
+use super::*;
+use crate::SilentHost;
+
+#[test]
+fn a_part_counts_the_memory_and_the_clauses_of_the_whole() {
+    let limits = Limits {
+        memory_bytes: Some(1_000),
+        ..Limits::default()
+    };
+    let whole = Budget::new(&SilentHost, limits).with_clauses(2);
+    let mut held = Held::default();
+    whole.hold_more(&mut held, 900);
+    whole.count_clause();
+    let part = whole.part(Limits::default());
+    assert_eq!(part.clauses_left(), 1);
+    assert_eq!(part.check(), Ok(()));
+    let mut more = Held::default();
+    part.hold_more(&mut more, 200);
+    assert_eq!(part.check(), Err(Stop::Memory));
+    assert_eq!(whole.check(), Err(Stop::Memory));
+}
+
+#[test]
+fn after_a_stop_no_state_is_looked_at() {
+    let budget = Budget::new(&SilentHost, Limits::default()).with_clauses(0);
+    assert_eq!(budget.tick(), Ok(()));
+    budget.count_clause();
+    assert_eq!(budget.check(), Err(Stop::Conflicts));
+    assert_eq!(budget.tick(), Err(Stop::Conflicts));
+}
