@@ -83,7 +83,7 @@ pub use giveway_picture::gif::Shot;
 pub use giveway_picture::{COLOURS, Colours, Looks, Point, Theme as DrawnTheme, form, position};
 pub use history::{History, Moment};
 pub use intake::Save;
-pub use mode::Mode;
+pub use mode::{Activity, Mode};
 pub use phase::Phase;
 pub use playback::{Playback, Speed};
 pub use problems::Problem;

@@ -5,7 +5,7 @@ use giveway_model::tr;
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, freedom, inside, planners, proof, solve};
-use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
+use crate::{Adapting, Notice, Size, Solving, State, Task};
 
 /// Something became known on the way.
 pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
@@ -79,7 +79,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Freedom(_) => tr!("All best plans cannot be compared for this scene."),
     };
     if let Task::Explain(_) = task {
-        let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
+        let is_stuck = state.document.mode.comparing().is_some();
         ask::close(state);
         if is_stuck {
             // Nobody asked: what the methods answered tells the cause.
