@@ -71,7 +71,7 @@ mod work;
 
 pub use action::{
     Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction,
-    SolveAction, ViewAction,
+    SolveAction, ViewAction, WorkerAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};

@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_model::tr;
-use giveway_page::{Action, FileAction, Notice, SolveAction, Work, link};
+use giveway_page::{Action, FileAction, Notice, Work, WorkerAction, link};
 use giveway_solve::Progress;
 use giveway_wasm::protocol::Ask;
 use gloo::render::{AnimationFrame, request_animation_frame};
@@ -147,8 +147,8 @@ impl Solver {
                     self.client(name).finish();
                     self.forget_news();
                     let response = Box::new(response);
-                    let respond = SolveAction::Respond { job, response };
-                    self.0.send.emit(Action::Solve(respond));
+                    let respond = WorkerAction::Respond { job, response };
+                    self.0.send.emit(Action::Worker(respond));
                 }
             }
             Event::Failed(failure) => self.fail(name, failure),
@@ -173,7 +173,7 @@ impl Solver {
         if let Some((job, _)) = run {
             self.0.run.set(None);
             self.forget_news();
-            self.0.send.emit(Action::Solve(SolveAction::Crash {
+            self.0.send.emit(Action::Worker(WorkerAction::Crash {
                 job,
                 sentence,
                 had_started,
@@ -217,8 +217,8 @@ impl Solver {
             return;
         };
         for event in events {
-            let progress = SolveAction::Progress { job, event };
-            self.0.send.emit(Action::Solve(progress));
+            let progress = WorkerAction::Progress { job, event };
+            self.0.send.emit(Action::Worker(progress));
         }
     }
 }

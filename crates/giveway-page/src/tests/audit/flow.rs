@@ -9,7 +9,10 @@ use super::{BEST, BEST_PATHS, LEGAL, LEGAL_PATHS, MEETING, SCENE, audit, dropped
 use crate::audit::{AuditAction, facts};
 use crate::intake::protocol::{ReportKind, Task};
 use crate::tests::answered as answer;
-use crate::{Action, AskAction, Edit, Phase, SolveAction, State, ViewAction, link, reduce, words};
+use crate::{
+    Action, AskAction, Edit, Phase, SolveAction, State, ViewAction, WorkerAction, link, reduce,
+    words,
+};
 
 fn act(state: &State, action: AuditAction) -> State {
     reduce(state, Action::Audit(action))
@@ -217,7 +220,10 @@ fn a_search_that_is_stopped_keeps_what_it_knows() {
         at_least: 5,
     };
     let job = state.work.id().unwrap();
-    let state = reduce(&state, Action::Solve(SolveAction::Progress { job, event }));
+    let state = reduce(
+        &state,
+        Action::Worker(WorkerAction::Progress { job, event }),
+    );
     let sentence = "It costs 4, and every legal plan costs at least 5. So it had to break a rule.";
     assert_eq!(facts(&state).unwrap().verdict.sentence, sentence);
     let state = reduce(&state, Action::Solve(SolveAction::Cancel));
