@@ -65,7 +65,7 @@ fn step(state: &mut State, action: Action) {
         Action::Undo => document::undo(state),
         Action::Redo => document::redo(state),
         Action::Board(action) => board::board(state, action),
-        Action::Solve(action) => solve::solve(state, action),
+        Action::Solve(action) => solve::solve(state, &action),
         Action::Worker(action) => job::worker(state, action),
         Action::Ask(action) => ask::questions(state, action),
         Action::Change(action) => change::change(state, action),

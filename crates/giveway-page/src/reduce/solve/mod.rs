@@ -18,8 +18,8 @@ use giveway_model::tr;
 /// A plan of at most so many agents is proved as soon as it is opened.
 const SMALL: usize = 12;
 
-pub(super) fn solve(state: &mut State, action: SolveAction) {
-    match action {
+pub(super) fn solve(state: &mut State, action: &SolveAction) {
+    match *action {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => start(state, Start::step()),
         SolveAction::Plan(planner) => start(state, Start::by(planner)),
