@@ -58,10 +58,23 @@ describe("a broken worker", () => {
     await playground.says(/^Optimal: /);
     await ask(playground);
     await playground.inspector.getByText("Needless").first().waitFor();
-    // From now on it solves, too.
+    // The solver is still there.
     await playground.example("Crossing");
     await playground.says(/^Optimal: /);
   }, { screens, complains: true });
+
+  flow("that solves stays warm beside the one that answers", async (playground, { page }) => {
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: /);
+    const solvers = page.workers();
+    const ended = [];
+    for (const solver of solvers) solver.on("close", () => ended.push(solver.url()));
+    await ask(playground);
+    await playground.inspector.getByText("Needless").first().waitFor();
+    assert.equal(solvers.length, 1);
+    assert.deepEqual(ended, [], "ended for a question");
+    assert.equal(page.workers().length, 2);
+  }, { screens });
 
   flow("that breaks off is replaced, and the scene stays", async (playground, { context, page }) => {
     await playground.says(OPENING);

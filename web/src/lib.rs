@@ -44,6 +44,7 @@ mod timeline;
 mod tools;
 mod top_bar;
 mod wide;
+mod worker_client;
 
 pub use app::App;
 pub use board::{Board, BoardProps};

@@ -1,7 +1,7 @@
 //! The page with the scene that it opens on, and its plan.
 
 use giveway_model::Scene;
-use giveway_page::{Action, PlayAction, SolveAction, State, opening, reduce};
+use giveway_page::{Action, PlayAction, SolveAction, State, WorkerAction, opening, reduce};
 use giveway_solve::{Request, Response, SolveRequest};
 
 /// The scene.
@@ -32,7 +32,7 @@ pub(crate) fn solved(state: &State) -> State {
     let response = Box::new(Response::Solved(answer.solved.clone()));
     let answered = reduce(
         &asked,
-        Action::Solve(SolveAction::Respond { job, response }),
+        Action::Worker(WorkerAction::Respond { job, response }),
     );
     #[expect(
         clippy::cast_sign_loss,

@@ -6,7 +6,7 @@ use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
 use web_sys::HtmlScriptElement;
 
-use crate::solver::written;
+use crate::worker_client::written;
 
 /// Adds the script whose address the page's head has under this name; tells where that
 /// fails. A browser runs a script of one address only once: what is to be tried again has

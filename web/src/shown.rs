@@ -3,7 +3,7 @@
 use std::ops::Deref;
 use std::rc::Rc;
 
-use giveway_page::{Action, State, reduce};
+use giveway_page::{Action, BoardAction, State, reduce};
 
 /// The state that is shown. Two are equal if they are the same object, so that
 /// to compare them takes no time: every action makes a new one.
@@ -27,7 +27,7 @@ impl Shown {
     /// The next state.
     #[must_use]
     pub fn reduced(&self, action: Action) -> Self {
-        let goes_on = matches!(action, Action::DragOver(_));
+        let goes_on = matches!(action, Action::Board(BoardAction::Drag(_)));
         let is_same_elsewhere = goes_on && self.state.has_stroke();
         let next = Self::new(reduce(&self.state, action));
         if is_same_elsewhere {

@@ -34,10 +34,10 @@ pub enum Action {
     Redo,
     /// On the board.
     Board(BoardAction),
-    /// Several cells since the last frame, each as by [`BoardAction::Drag`].
-    DragOver(Vec<Cell>),
     /// The solver.
     Solve(SolveAction),
+    /// A worker tells of its job.
+    Worker(WorkerAction),
     /// Questions.
     Ask(AskAction),
     /// The world changes while a plan runs.
@@ -125,7 +125,7 @@ pub enum IntakeAction {
 }
 
 /// On the board.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum BoardAction {
     /// A tool was picked.
     PickTool(Tool),
@@ -144,8 +144,8 @@ pub enum BoardAction {
     UseTool,
     /// The pointer went down on a cell.
     Press(Cell),
-    /// The pointer went on to a cell.
-    Drag(Cell),
+    /// The pointer went on through cells, all since the last frame.
+    Drag(Vec<Cell>),
     /// The pointer was lifted.
     Release,
     /// Removes what is selected.
@@ -178,6 +178,11 @@ pub enum SolveAction {
     CheckProof,
     /// Make certificates of what the inspector tells, and save them.
     SaveProof,
+}
+
+/// A worker tells of the job that it was given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WorkerAction {
     /// The worker got to know something.
     Progress {
         /// The number of the job.

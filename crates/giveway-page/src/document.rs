@@ -9,7 +9,7 @@ use crate::course::World;
 use crate::freedom::Freedom;
 use crate::front::Front;
 use crate::planners::Runs;
-use crate::{Answer, Colours, Draft, Looks, Mode};
+use crate::{Activity, Answer, Colours, Draft, Looks, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
 /// and links hold whole documents. Its parts are never changed, only replaced, so
@@ -54,7 +54,7 @@ impl Document {
             found_plans: None,
             checked: None,
             found_freedom: None,
-            mode: Mode::Editing,
+            mode: Mode::default(),
             looks: Looks::default(),
             colours: Colours::default(),
         }
@@ -113,29 +113,32 @@ impl Document {
     /// plan of a question where that takes its place (`is_alone`: there is no
     /// room for two); the one that is previewed where the world changes.
     pub(crate) fn shown(&self, is_alone: bool) -> Option<&Rc<Answer>> {
-        match &self.mode {
-            Mode::Editing => self.answer.as_ref(),
-            Mode::Asking(asking) => asking.in_place(is_alone).or(self.answer.as_ref()),
-            Mode::Changing(changing) => Some(&changing.about),
-            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+        let asking = self.mode.asking();
+        let other = asking.and_then(|asking| asking.in_place(is_alone));
+        match &self.mode.activity {
+            Activity::Editing => other.or(self.answer.as_ref()),
+            Activity::Changing(changing) => Some(&changing.about),
+            // What is asked there is why none was found: that has no other plan.
+            Activity::Comparing(comparing) => {
                 Some(comparing.preview().unwrap_or(&comparing.changing.about))
             }
-            Mode::Steering(own) => Some(&own.answer),
-            Mode::Judging(own, asking) => Some(asking.in_place(is_alone).unwrap_or(&own.answer)),
-            Mode::Auditing(audit) => Some(audit.shown(is_alone)),
-            Mode::Querying(audit, asking) => {
-                Some(asking.in_place(is_alone).unwrap_or(&audit.plan.answer))
+            Activity::Steering(own) => Some(other.unwrap_or(&own.answer)),
+            Activity::Auditing(audit) if asking.is_some() => {
+                Some(other.unwrap_or(&audit.plan.answer))
             }
+            Activity::Auditing(audit) => Some(audit.shown(is_alone)),
         }
     }
 
     /// The world at a time, where it is another than the draft: the world changes
     /// or has changed.
     pub(crate) fn changed(&self, time: u32) -> Option<&World> {
-        match &self.mode {
-            Mode::Changing(changing) => changing.world_at(time),
-            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => comparing.world_at(time),
-            _ => self.fresh_answer()?.world(time),
+        match &self.mode.activity {
+            Activity::Changing(changing) => changing.world_at(time),
+            Activity::Comparing(comparing) => comparing.world_at(time),
+            Activity::Editing | Activity::Steering(_) | Activity::Auditing(_) => {
+                self.fresh_answer()?.world(time)
+            }
         }
     }
 

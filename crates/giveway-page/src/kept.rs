@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::{Document, Mode, State};
+use crate::{Document, State};
 
 impl State {
     /// Whether another state has the same to be kept. Takes no time: what is the same
@@ -33,28 +33,7 @@ fn same_document(one: &Document, two: &Document) -> bool {
             one.checked.as_ref().map(|(_, report)| report),
             two.checked.as_ref().map(|(_, report)| report),
         )
-        && same_mode(&one.mode, &two.mode)
-}
-
-fn same_mode(one: &Mode, two: &Mode) -> bool {
-    match (one, two) {
-        (Mode::Editing, Mode::Editing) => true,
-        (Mode::Asking(one), Mode::Asking(two)) => Rc::ptr_eq(one, two),
-        (Mode::Changing(one), Mode::Changing(two)) => Rc::ptr_eq(one, two),
-        (Mode::Comparing(one), Mode::Comparing(two)) => Rc::ptr_eq(one, two),
-        (Mode::Steering(one), Mode::Steering(two)) => Rc::ptr_eq(one, two),
-        (Mode::Judging(one, asked), Mode::Judging(two, again)) => {
-            Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
-        }
-        (Mode::Auditing(one), Mode::Auditing(two)) => Rc::ptr_eq(one, two),
-        (Mode::Querying(one, asked), Mode::Querying(two, again)) => {
-            Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
-        }
-        (Mode::Stuck(one, asked), Mode::Stuck(two, again)) => {
-            Rc::ptr_eq(one, two) && Rc::ptr_eq(asked, again)
-        }
-        _ => false,
-    }
+        && one.mode.is_same(&two.mode)
 }
 
 fn same<T>(one: Option<&Rc<T>>, two: Option<&Rc<T>>) -> bool {

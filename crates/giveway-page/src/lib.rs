@@ -71,7 +71,7 @@ mod work;
 
 pub use action::{
     Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction,
-    SolveAction, ViewAction,
+    SolveAction, ViewAction, WorkerAction,
 };
 pub use answer::Answer;
 pub use asking::{Asking, Lit};
@@ -83,7 +83,7 @@ pub use giveway_picture::gif::Shot;
 pub use giveway_picture::{COLOURS, Colours, Looks, Point, Theme as DrawnTheme, form, position};
 pub use history::{History, Moment};
 pub use intake::Save;
-pub use mode::Mode;
+pub use mode::{Activity, Mode};
 pub use phase::Phase;
 pub use playback::{Playback, Speed};
 pub use problems::Problem;

@@ -1,4 +1,4 @@
-//! What is being done with the plan: one thing at a time.
+//! What is being done with the plan, and the question that is asked meanwhile.
 
 use std::rc::Rc;
 
@@ -7,95 +7,130 @@ use crate::audit::Audit;
 use crate::changing::{Changing, Comparing};
 use crate::steering::Steering;
 
-/// What is being done with the plan.
+/// What is being done with the plan: one thing at a time.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub enum Mode {
+pub enum Activity {
     /// The scene is edited, or its plan watched.
     #[default]
     Editing,
-    /// A question was asked about the plan, or about there being none.
-    Asking(Rc<Asking>),
-    /// The world changes while the plan runs: what changes is being listed.
+    /// The world changes while the plan runs: the changes are being listed.
     Changing(Rc<Changing>),
-    /// Ways to go on are side by side.
+    /// New plans after the changes are side by side, or none was found.
     Comparing(Rc<Comparing>),
-    /// No way to go on was found, and the solver was asked why.
-    Stuck(Rc<Comparing>, Rc<Asking>),
     /// Agents are led by hand, in a plan of one's own.
     Steering(Rc<Steering>),
-    /// The solver was asked about a plan of one's own.
-    Judging(Rc<Steering>, Rc<Asking>),
     /// A plan of elsewhere is judged.
     Auditing(Rc<Audit>),
-    /// A question was asked about a plan of elsewhere.
-    Querying(Rc<Audit>, Rc<Asking>),
+}
+
+/// An activity, and the question that was asked about its plan.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mode {
+    /// What is being done.
+    pub activity: Activity,
+    /// The question, until it is closed.
+    pub(crate) question: Option<Rc<Asking>>,
+}
+
+impl From<Activity> for Mode {
+    /// Nothing is asked yet.
+    fn from(activity: Activity) -> Self {
+        Self {
+            activity,
+            question: None,
+        }
+    }
 }
 
 impl Mode {
-    /// The question that was asked, until it is left.
-    pub const fn asking(&self) -> Option<&Rc<Asking>> {
-        match self {
-            Self::Asking(asking)
-            | Self::Judging(_, asking)
-            | Self::Stuck(_, asking)
-            | Self::Querying(_, asking) => Some(asking),
-            _ => None,
+    /// The same activity with a question.
+    #[must_use]
+    pub(crate) fn with(&self, question: Option<Rc<Asking>>) -> Self {
+        Self {
+            activity: self.activity.clone(),
+            question,
         }
+    }
+
+    /// Whether the scene is edited and nothing is asked.
+    pub const fn is_editing(&self) -> bool {
+        matches!(self.activity, Activity::Editing) && self.question.is_none()
+    }
+
+    /// The question that was asked, until it is closed.
+    pub const fn asking(&self) -> Option<&Rc<Asking>> {
+        self.question.as_ref()
+    }
+
+    /// The question, to be changed.
+    pub(crate) fn asking_mut(&mut self) -> Option<&mut Asking> {
+        self.question.as_mut().map(Rc::make_mut)
     }
 
     /// The plan of elsewhere, until it is left.
     pub const fn audit(&self) -> Option<&Rc<Audit>> {
-        match self {
-            Self::Auditing(audit) | Self::Querying(audit, _) => Some(audit),
-            _ => None,
+        match &self.activity {
+            Activity::Auditing(audit) => Some(audit),
+            Activity::Editing
+            | Activity::Changing(_)
+            | Activity::Comparing(_)
+            | Activity::Steering(_) => None,
         }
     }
 
     /// What changes in the world, until that is adopted or left.
     pub fn changing(&self) -> Option<&Rc<Changing>> {
-        match self {
-            Self::Changing(changing) => Some(changing),
-            Self::Comparing(comparing) | Self::Stuck(comparing, _) => Some(&comparing.changing),
-            _ => None,
+        match &self.activity {
+            Activity::Changing(changing) => Some(changing),
+            Activity::Comparing(comparing) => Some(&comparing.changing),
+            Activity::Editing | Activity::Steering(_) | Activity::Auditing(_) => None,
         }
     }
 
-    /// The ways to go on, where they are known.
+    /// The new plans after the changes, where they are known.
     pub const fn comparing(&self) -> Option<&Rc<Comparing>> {
-        match self {
-            Self::Comparing(comparing) | Self::Stuck(comparing, _) => Some(comparing),
-            _ => None,
+        match &self.activity {
+            Activity::Comparing(comparing) => Some(comparing),
+            Activity::Editing
+            | Activity::Changing(_)
+            | Activity::Steering(_)
+            | Activity::Auditing(_) => None,
         }
     }
 
     /// The plan of one's own in which agents are led by hand, until it is left.
     pub const fn steering(&self) -> Option<&Rc<Steering>> {
-        match self {
-            Self::Steering(own) | Self::Judging(own, _) => Some(own),
-            _ => None,
+        match &self.activity {
+            Activity::Steering(own) => Some(own),
+            Activity::Editing
+            | Activity::Changing(_)
+            | Activity::Comparing(_)
+            | Activity::Auditing(_) => None,
         }
     }
 
-    /// The question, to be changed.
-    pub(crate) fn asking_mut(&mut self) -> Option<&mut Asking> {
-        match self {
-            Self::Asking(asking)
-            | Self::Judging(_, asking)
-            | Self::Stuck(_, asking)
-            | Self::Querying(_, asking) => Some(Rc::make_mut(asking)),
-            _ => None,
-        }
-    }
-
-    /// The same without a question.
-    #[must_use]
-    pub(crate) fn unasked(&self) -> Self {
-        match self {
-            Self::Asking(_) => Self::Editing,
-            Self::Judging(own, _) => Self::Steering(Rc::clone(own)),
-            Self::Stuck(comparing, _) => Self::Comparing(Rc::clone(comparing)),
-            Self::Querying(audit, _) => Self::Auditing(Rc::clone(audit)),
-            other => other.clone(),
-        }
+    /// Whether another mode holds the same objects, which takes no time to see.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        let is_same_question = match (&self.question, &other.question) {
+            (Some(one), Some(two)) => Rc::ptr_eq(one, two),
+            (None, None) => true,
+            (Some(_), None) | (None, Some(_)) => false,
+        };
+        let is_same_activity = match (&self.activity, &other.activity) {
+            (Activity::Editing, Activity::Editing) => true,
+            (Activity::Changing(one), Activity::Changing(two)) => Rc::ptr_eq(one, two),
+            (Activity::Comparing(one), Activity::Comparing(two)) => Rc::ptr_eq(one, two),
+            (Activity::Steering(one), Activity::Steering(two)) => Rc::ptr_eq(one, two),
+            (Activity::Auditing(one), Activity::Auditing(two)) => Rc::ptr_eq(one, two),
+            (
+                Activity::Editing
+                | Activity::Changing(_)
+                | Activity::Comparing(_)
+                | Activity::Steering(_)
+                | Activity::Auditing(_),
+                _,
+            ) => false,
+        };
+        is_same_question && is_same_activity
     }
 }

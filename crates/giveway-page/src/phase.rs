@@ -3,7 +3,7 @@
 use giveway_solve::Status;
 
 use crate::front::Front;
-use crate::{Answer, Mode, State, Task};
+use crate::{Activity, Answer, State, Task};
 
 /// The states of the page's specification, as far as they are built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,12 +50,12 @@ impl State {
             Some(Task::Change(_)) => return Phase::Adapting,
             Some(Task::Look(_)) | None => {}
         }
-        match self.document.mode {
-            Mode::Changing(_) => return Phase::Changing,
-            Mode::Comparing(_) | Mode::Stuck(..) => return Phase::Comparing,
-            Mode::Steering(_) | Mode::Judging(..) => return Phase::Steering,
-            Mode::Auditing(_) | Mode::Querying(..) => return Phase::Auditing,
-            Mode::Editing | Mode::Asking(_) => {}
+        match self.document.mode.activity {
+            Activity::Changing(_) => return Phase::Changing,
+            Activity::Comparing(_) => return Phase::Comparing,
+            Activity::Steering(_) => return Phase::Steering,
+            Activity::Auditing(_) => return Phase::Auditing,
+            Activity::Editing => {}
         }
         if self.document.own_front().is_some_and(Front::is_whole) {
             return Phase::Planned;

@@ -6,7 +6,7 @@ use giveway_model::format::native;
 use giveway_model::{Cell, Costs, Objective, Plan, Version};
 use giveway_solve::{Response, SolveAnswer, Stats, Status};
 
-use crate::{Action, Answer, BoardAction, Draft, SolveAction, State, reduce};
+use crate::{Action, Answer, BoardAction, Draft, SolveAction, State, WorkerAction, reduce};
 
 /// The warehouse.
 pub(crate) fn draft() -> Draft {
@@ -78,7 +78,7 @@ pub(crate) fn solved() -> State {
     let response = Box::new(Response::Solved(proved(&objective, costs, plan())));
     reduce(
         &state,
-        Action::Solve(SolveAction::Respond { job: 1, response }),
+        Action::Worker(WorkerAction::Respond { job: 1, response }),
     )
 }
 

@@ -14,7 +14,7 @@ use giveway_solve::{CertifyRequest, Request, SolveRequest};
 use crate::certificate::Exporting;
 use crate::changing::Changing;
 use crate::inside::Looking;
-use crate::{Answer, Document, Draft, Mode};
+use crate::{Activity, Answer, Document, Draft, Mode};
 
 /// What runs in the worker: at most one job. No two jobs ever have the same
 /// number, so what a job still tells when it is over is known by its number.
@@ -241,7 +241,7 @@ impl Task {
             Self::Solve(solving) => {
                 Rc::ptr_eq(&solving.draft, &document.draft)
                     && solving.request.within == document.within
-                    && matches!(document.mode, Mode::Editing | Mode::Auditing(_))
+                    && is_search_of(&document.mode)
             }
             Self::Explain(request) => asks(document, request),
             Self::Certify(run) => run.about.is_in(document),
@@ -249,7 +249,7 @@ impl Task {
             Self::Look(looking) => {
                 Rc::ptr_eq(&looking.draft, &document.draft)
                     && looking.within == document.within
-                    && document.mode == Mode::Editing
+                    && document.mode.is_editing()
             }
             Self::Change(run) => {
                 let changing = document.mode.changing();
@@ -267,16 +267,25 @@ impl Certifies {
             Self::Question(request) => asks(document, request),
             Self::Answer(about) => {
                 let answer = document.answer.as_ref();
-                answer.is_some_and(|answer| Rc::ptr_eq(answer, about))
-                    && document.mode == Mode::Editing
+                answer.is_some_and(|answer| Rc::ptr_eq(answer, about)) && document.mode.is_editing()
             }
             Self::Freedom(request) => {
                 let freedom = document.freedom();
                 freedom.is_some_and(|freedom| Rc::ptr_eq(&freedom.request, request))
-                    && document.mode == Mode::Editing
+                    && document.mode.is_editing()
             }
         }
     }
+}
+
+/// Whether a search for the best plan goes on in this mode: of the scene, or beside a plan
+/// of elsewhere.
+fn is_search_of(mode: &Mode) -> bool {
+    let goes_on = match mode.activity {
+        Activity::Editing | Activity::Auditing(_) => true,
+        Activity::Changing(_) | Activity::Comparing(_) | Activity::Steering(_) => false,
+    };
+    goes_on && mode.asking().is_none()
 }
 
 /// Whether it is asked what a request asks.

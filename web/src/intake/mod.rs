@@ -1,9 +1,6 @@
 //! The link to the reader: what the state says should be read, written or drawn, is done
 //! in a worker that is started for it. Frames of pictures are drawn here, since only a page
 //! can draw SVG.
-//!
-//! A worker cannot hear while it works, so a job that is no longer wanted is ended
-//! together with its worker. An idle worker is kept.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -20,8 +17,9 @@ use yew::prelude::*;
 use crate::dialog::Panel;
 use crate::held::Held;
 use crate::paper::Frames;
-use crate::solver::{Event, Hired, Name, Program, alone};
-use crate::{Shown, files, language};
+use crate::solver::alone;
+use crate::worker_client::{Client, Event, Failure, Name, Program, Protocol, Received};
+use crate::{Shown, files};
 
 /// Does what [`Intake`] says, saves what was packed, and sends what the reader tells. What turns out to be
 /// the page's own business is opened by it.
@@ -50,18 +48,47 @@ pub(crate) fn use_intake(state: &Shown, send: &Callback<Action>, show: &Callback
     use_effect_with(job, move |_| reader.want(&state.intake));
 }
 
+/// The protocol of the reader.
+struct Reading;
+
+/// What the reader tells of a job.
+enum Told {
+    Progress { id: u64, sentence: String },
+    Draw { id: u64, shot: Shot },
+    Reply { id: u64, reply: Reply },
+}
+
+impl Protocol for Reading {
+    type Message = Told;
+
+    fn read(bytes: &[u8]) -> Result<Received<Told>, String> {
+        let message = borsh::from_slice(bytes).map_err(|error| {
+            tr!(
+                "Unreadable message from the reader of files: {error}",
+                error
+            )
+        })?;
+        Ok(match message {
+            Message::Ready => Received::Ready,
+            Message::Failed(sentence) => Received::Failed(sentence),
+            Message::Progress { id, sentence } => {
+                Received::Message(Told::Progress { id, sentence })
+            }
+            Message::Draw { id, shot } => Received::Message(Told::Draw { id, shot }),
+            Message::Reply { id, reply } => Received::Message(Told::Reply { id, reply }),
+        })
+    }
+}
+
 /// The page's end of the link.
 #[derive(Clone)]
 struct Reader(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
-    program: Rc<Program>,
-    worker: Held<Option<Rc<Hired>>>,
+    client: Client<Reading>,
     /// The job that the worker is to do, or does.
     job: Cell<Option<u64>>,
-    /// The message that asks for it, until it is posted.
-    waiting: Held<Option<Vec<u8>>>,
     state: Held<Option<Shown>>,
     show: Held<Option<Callback<Panel>>>,
     /// What the frames of a picture are drawn on.
@@ -72,20 +99,14 @@ impl Reader {
     fn new(send: Callback<Action>) -> Self {
         let reader = Self(Rc::new(Inner {
             send,
-            program: Rc::new(Program::new(Name::Reader)),
-            worker: Held::default(),
+            client: Client::new(Rc::new(Program::new(Name::Reader))),
             job: Cell::default(),
-            waiting: Held::default(),
             state: Held::default(),
             show: Held::default(),
             frames: Held::default(),
         }));
-        let tell = reader.clone();
-        language::tell_workers(Callback::from(move |told: String| {
-            if let Some(worker) = tell.0.worker.get().filter(|worker| worker.is_ready()) {
-                worker.speak(&told);
-            }
-        }));
+        let link = reader.clone();
+        reader.0.client.listen(move |event| link.hear(event));
         reader
     }
 
@@ -93,11 +114,10 @@ impl Reader {
     fn want(&self, intake: &Intake) {
         let inner = &self.0;
         if inner.job.take().is_some() {
-            // It is at something that nobody wants any longer.
-            drop(inner.worker.take());
+            // An idle reader is kept, but none is kept warm.
+            inner.client.end();
         }
         drop(inner.frames.take());
-        drop(inner.waiting.take());
         if let Some(job) = intake.job().filter(|job| !job.fetches.is_empty()) {
             return self.fetch(job.id, job.fetches.clone());
         }
@@ -105,11 +125,7 @@ impl Reader {
             return;
         };
         inner.job.set(Some(job));
-        inner.waiting.set(Some(bytes));
-        if inner.worker.get().is_none() {
-            self.hire();
-        }
-        self.post();
+        inner.client.ask(bytes);
     }
 
     /// Fetches files of the page; those that are not there are left out.
@@ -121,59 +137,29 @@ impl Reader {
         });
     }
 
-    fn hire(&self) {
-        let reader = self.clone();
-        let program = Rc::clone(&self.0.program);
-        match Hired::start(program, Rc::new(move |event| reader.hear(event))) {
-            Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
-            Err(sentence) => self.fail(false, alone(sentence)),
-        }
-    }
-
-    fn post(&self) {
-        let worker = self.0.worker.get();
-        let Some(worker) = worker.filter(|worker| worker.is_ready()) else {
-            return;
-        };
-        if let Some(bytes) = self.0.waiting.take() {
-            worker.post(&bytes);
-        }
-    }
-
-    fn hear(&self, event: Event) {
+    fn hear(&self, event: Event<Told>) {
         let message = match event {
-            Event::Said(bytes) => borsh::from_slice(&bytes).unwrap_or_else(|error| {
-                Message::Failed(tr!(
-                    "Unreadable message from the reader of files: {error}",
-                    error
-                ))
-            }),
-            Event::Broke(sentence) => Message::Failed(sentence),
+            Event::Message(message) => message,
+            Event::Failed(failure) => return self.fail(failure),
         };
         match message {
-            Message::Ready => {
-                if let Some(worker) = self.0.worker.get() {
-                    worker.set_ready();
-                }
-                self.post();
-            }
-            Message::Progress { id, sentence } => {
+            Told::Progress { id, sentence } => {
                 let progress = IntakeAction::Progress { job: id, sentence };
                 self.0.send.emit(Action::Intake(progress));
             }
-            Message::Draw { id, shot } => {
+            Told::Draw { id, shot } => {
                 if self.0.job.get() == Some(id) {
                     self.draw(id, shot);
                 }
             }
-            Message::Reply { id, reply } => {
+            Told::Reply { id, reply } => {
                 drop(self.0.frames.take());
                 if self.0.job.get() == Some(id) {
                     self.0.job.set(None);
+                    self.0.client.finish();
                     self.replied(id, reply);
                 }
             }
-            Message::Failed(sentence) => self.broken(sentence),
         }
     }
 
@@ -195,13 +181,15 @@ impl Reader {
             if reader.0.job.get() != Some(id) {
                 return;
             }
-            match (drawn, reader.0.worker.get()) {
-                (Ok(pixels), Some(worker)) => {
-                    let task = Task::Pixels(pixels);
-                    // Memory is all that could run out.
-                    worker.post(&borsh::to_vec(&Ask { id, task }).unwrap_or_default());
-                }
-                _ => reader.broken(tr!("The browser could not draw a frame.").to_owned()),
+            let is_posted = drawn.is_ok_and(|pixels| {
+                let task = Task::Pixels(pixels);
+                // Memory is all that could run out.
+                let message = borsh::to_vec(&Ask { id, task }).unwrap_or_default();
+                reader.0.client.post(&message)
+            });
+            if !is_posted {
+                let sentence = tr!("The browser could not draw a frame.");
+                reader.0.client.fail(sentence.to_owned());
             }
         });
     }
@@ -222,16 +210,20 @@ impl Reader {
         }
     }
 
-    fn broken(&self, sentence: String) {
-        let had_started = self.0.worker.take().is_some_and(|w| w.is_ready());
-        self.fail(had_started, vec![sentence]);
-    }
-
-    /// What was to be done is not: the worker is no more, or there never was one.
-    fn fail(&self, had_started: bool, details: Vec<String>) {
-        drop(self.0.waiting.take());
+    /// The job is not done: its worker failed, or the browser allows none.
+    fn fail(&self, failure: Failure) {
+        let Failure {
+            sentence,
+            had_started,
+            is_forbidden,
+        } = failure;
         drop(self.0.frames.take());
         if let Some(job) = self.0.job.take() {
+            let details = if is_forbidden {
+                alone(sentence)
+            } else {
+                vec![sentence]
+            };
             let crash = IntakeAction::Crash {
                 job,
                 had_started,

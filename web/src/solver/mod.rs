@@ -1,31 +1,26 @@
 //! The link to the solver: what the state says should run, runs in a worker.
 //!
-//! A worker cannot hear while it works, so a run that is no longer wanted is
-//! ended together with its worker, and another is started at once, to be warm
-//! for the next run. An idle worker is kept.
-//!
-//! The worker's program is the solver, which is small, until something is asked that
-//! takes the analyst; from then on it is the analyst, who can all that the solver can.
+//! Plans are found by the solver, which is small and fetched with the page. What only the
+//! analyst can answer is asked of a worker of its own, whose program is fetched at the
+//! first such question; the solver stays warm beside it.
 
-mod program;
-mod worker;
+mod protocol;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_model::tr;
-use giveway_page::{Action, FileAction, Notice, SolveAction, Work, link};
-use giveway_solve::{Progress, Request};
-use giveway_wasm::protocol::{Ask, Message};
+use giveway_page::{Action, FileAction, Notice, Work, WorkerAction, link};
+use giveway_solve::Progress;
+use giveway_wasm::protocol::Ask;
 use gloo::render::{AnimationFrame, request_animation_frame};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use crate::Shown;
 use crate::held::Held;
-use crate::language;
-pub(crate) use program::{Name, Program};
-pub(crate) use worker::{Event, Hired, written};
+use crate::worker_client::{Client, Event, Failure, Name, Program};
+pub(crate) use protocol::{Solving, Told};
 
 /// Runs what [`Work`] says, and sends what the solver tells.
 #[hook]
@@ -44,15 +39,10 @@ struct Solver(Rc<Inner>);
 
 struct Inner {
     send: Callback<Action>,
-    solver: Rc<Program>,
-    analyst: Rc<Program>,
-    /// Whether the worker runs the analyst.
-    is_analyst: Cell<bool>,
-    worker: Held<Option<Rc<Hired>>>,
-    /// The run that the worker is to do, or does.
-    run: Cell<Option<u64>>,
-    /// The message that asks for it, until it is posted.
-    waiting: Held<Option<Vec<u8>>>,
+    solver: Client<Solving>,
+    analyst: Client<Solving>,
+    /// The run that is asked for, and of which program.
+    run: Cell<Option<(u64, Name)>>,
     news: Held<News>,
 }
 
@@ -77,70 +67,55 @@ pub(crate) fn alone(why: String) -> Vec<String> {
 impl Solver {
     /// A link with a worker that is on its way.
     fn new(send: Callback<Action>) -> Self {
+        let client = |name| Client::new(Rc::new(Program::new(name)));
         let solver = Self(Rc::new(Inner {
             send,
-            solver: Rc::new(Program::new(Name::Solver)),
-            analyst: Rc::new(Program::new(Name::Analyst)),
-            is_analyst: Cell::default(),
-            worker: Held::default(),
+            solver: client(Name::Solver),
+            analyst: client(Name::Analyst),
             run: Cell::default(),
-            waiting: Held::default(),
             news: Held::default(),
         }));
-        solver.hire();
-        let tell = solver.clone();
-        language::tell_workers(Callback::from(move |told: String| {
-            if let Some(worker) = tell.0.worker.get().filter(|worker| worker.is_ready()) {
-                worker.speak(&told);
-            }
-        }));
+        for name in [Name::Solver, Name::Analyst] {
+            let link = solver.clone();
+            let client = solver.client(name);
+            client.listen(move |event| link.hear(name, event));
+        }
+        solver.0.solver.warm();
         solver
+    }
+
+    /// The client of a program; what is no program of this link is the analyst's.
+    fn client(&self, name: Name) -> &Client<Solving> {
+        match name {
+            Name::Solver => &self.0.solver,
+            Name::Analyst | Name::Reader => &self.0.analyst,
+        }
     }
 
     /// Sees to it that this run runs, and no other.
     fn want(&self, work: &Work) {
-        let inner = &self.0;
-        if inner.run.get() == work.id() {
+        let before = self.0.run.get();
+        if before.map(|(run, _)| run) == work.id() {
             return;
         }
         self.forget_news();
-        let was_waiting = inner.waiting.take().is_some();
-        let busy = inner.run.take().is_some() && !was_waiting;
-        let wanted = work.request();
-        let is_wanted = wanted.is_some();
-        let for_analyst = |(_, request): &(u64, Request)| request.basic().is_none();
-        let is_other = wanted.as_ref().is_some_and(for_analyst) && !inner.is_analyst.replace(true);
-        if let Some((run, request)) = wanted {
-            let ask = Ask {
-                id: message_id(run),
-                request,
+        self.0.run.set(None);
+        let wanted = work.request().map(|(run, request)| {
+            let is_basic = request.basic().is_some();
+            let name = if is_basic {
+                Name::Solver
+            } else {
+                Name::Analyst
             };
-            inner.run.set(Some(run));
-            inner.waiting.set(Some(ask.to_bytes()));
+            let id = message_id(run);
+            (run, name, Ask { id, request }.to_bytes())
+        });
+        if let Some((_, name)) = before {
+            self.client(name).cancel();
         }
-        let absent = inner.worker.get().is_none();
-        if busy || is_other || (absent && is_wanted) {
-            self.hire();
-        }
-        self.post();
-    }
-
-    /// Starts a worker; the one before it is ended, whatever it was at.
-    fn hire(&self) {
-        drop(self.0.worker.take());
-        let solver = self.clone();
-        let hear = Rc::new(move |event| solver.hear(event));
-        let program = if self.0.is_analyst.get() {
-            &self.0.analyst
-        } else {
-            &self.0.solver
-        };
-        match Hired::start(Rc::clone(program), hear) {
-            Ok(hired) => self.0.worker.set(Some(Rc::new(hired))),
-            Err(sentence) => {
-                self.tell_alone(sentence.clone());
-                self.fail(sentence, false);
-            }
+        if let Some((run, name, message)) = wanted {
+            self.0.run.set(Some((run, name)));
+            self.client(name).ask(message);
         }
     }
 
@@ -158,77 +133,48 @@ impl Solver {
         .forget();
     }
 
-    /// Posts what waits, if there is somebody who listens.
-    fn post(&self) {
-        let worker = self.0.worker.get();
-        let Some(worker) = worker.filter(|worker| worker.is_ready()) else {
-            return;
-        };
-        if let Some(bytes) = self.0.waiting.take() {
-            worker.post(&bytes);
-        }
-    }
-
-    fn hear(&self, event: Event) {
+    fn hear(&self, name: Name, event: Event<Told>) {
         match event {
-            Event::Said(bytes) => match Message::from_bytes(&bytes) {
-                Ok(message) => self.read(message),
-                Err(error) => {
-                    self.broken(tr!("Unreadable message from the solver: {error}", error));
-                }
-            },
-            Event::Broke(sentence) => self.broken(sentence),
-        }
-    }
-
-    fn read(&self, message: Message) {
-        match message {
-            Message::Ready => {
-                if let Some(worker) = self.0.worker.get() {
-                    worker.set_ready();
-                }
-                self.post();
-            }
-            Message::Progress { id, event } => {
+            Event::Message(Told::Progress { id, event }) => {
                 if self.is_at(id) {
                     self.learn(event);
                 }
             }
-            Message::Answer { id, response } => {
+            Event::Message(Told::Answer { id, response }) => {
                 if self.is_at(id)
-                    && let Some(run) = self.0.run.take()
+                    && let Some((job, name)) = self.0.run.take()
                 {
+                    self.client(name).finish();
                     self.forget_news();
                     let response = Box::new(response);
-                    self.0
-                        .send
-                        .emit(Action::Solve(SolveAction::Respond { job: run, response }));
+                    let respond = WorkerAction::Respond { job, response };
+                    self.0.send.emit(Action::Worker(respond));
                 }
             }
-            Message::Failed { sentence, .. } => self.broken(sentence),
+            Event::Failed(failure) => self.fail(name, failure),
         }
     }
 
-    fn broken(&self, sentence: String) {
-        let had_started = self.0.worker.take().is_some_and(|w| w.is_ready());
-        self.fail(sentence, had_started);
-    }
-
-    /// Tells of a worker that is no more. One that had worked is replaced at
-    /// once; for one that never started, another is tried at the next run.
-    fn fail(&self, sentence: String, had_started: bool) {
-        self.forget_news();
-        drop(self.0.waiting.take());
-        let run = self.0.run.take();
+    /// Tells of a worker that failed. One that had worked is replaced at once; for one
+    /// that never started, another is tried at the next run.
+    fn fail(&self, name: Name, failure: Failure) {
+        let Failure {
+            sentence,
+            had_started,
+            is_forbidden,
+        } = failure;
+        if is_forbidden {
+            self.tell_alone(sentence.clone());
+        }
         if had_started {
-            self.hire();
-        } else {
-            // Solving may still be possible, where a network has come to an end.
-            self.0.is_analyst.set(false);
+            self.client(name).warm();
         }
-        if let Some(run) = run {
-            self.0.send.emit(Action::Solve(SolveAction::Crash {
-                job: run,
+        let run = self.0.run.get().filter(|&(_, of)| of == name);
+        if let Some((job, _)) = run {
+            self.0.run.set(None);
+            self.forget_news();
+            self.0.send.emit(Action::Worker(WorkerAction::Crash {
+                job,
                 sentence,
                 had_started,
             }));
@@ -236,7 +182,10 @@ impl Solver {
     }
 
     fn is_at(&self, id: u32) -> bool {
-        self.0.run.get().is_some_and(|run| message_id(run) == id)
+        self.0
+            .run
+            .get()
+            .is_some_and(|(run, _)| message_id(run) == id)
     }
 
     /// Keeps progress for the next frame.
@@ -254,8 +203,8 @@ impl Solver {
         self.0.news.set(news);
     }
 
-    /// What was heard is told no more. A frame that was asked for still comes, and
-    /// finds nothing: nothing hangs on whether it could be called off.
+    /// Drops what was heard and not told yet. A frame that was asked for still comes, and
+    /// finds nothing.
     fn forget_news(&self) {
         let mut news = self.0.news.take();
         news.events.clear();
@@ -264,18 +213,17 @@ impl Solver {
 
     fn tell(&self) {
         let News { events, .. } = self.0.news.take();
-        let Some(run) = self.0.run.get() else {
+        let Some((job, _)) = self.0.run.get() else {
             return;
         };
         for event in events {
-            self.0
-                .send
-                .emit(Action::Solve(SolveAction::Progress { job: run, event }));
+            let progress = WorkerAction::Progress { job, event };
+            self.0.send.emit(Action::Worker(progress));
         }
     }
 }
 
-/// Runs are numbered from 1, and nobody starts four thousand million of them.
+/// Runs are numbered from 1; no page starts four thousand million of them.
 const fn message_id(run: u64) -> u32 {
     run as u32
 }

@@ -1,7 +1,7 @@
 //! Inspector and tools.
 
 use giveway_page::planners::By;
-use giveway_page::{Action, BoardAction, Selection, SolveAction, Tool, reduce};
+use giveway_page::{Action, BoardAction, Selection, SolveAction, Tool, WorkerAction, reduce};
 use giveway_solve::plan::Planner;
 use giveway_solve::{SilentHost, serve};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -64,7 +64,7 @@ async fn planners_side_by_side() {
     let response = Box::new(serve(&request, &SilentHost));
     let state = reduce(
         &state,
-        Action::Solve(SolveAction::Respond { job, response }),
+        Action::Worker(WorkerAction::Respond { job, response }),
     );
     let stage = Stage::of(state).await;
     let table = stage.find("table[aria-label=Planners]").await;

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use giveway_model::format::native;
-use giveway_page::{Action, Draft, SolveAction, State, ViewAction, reduce};
+use giveway_page::{Action, Draft, SolveAction, State, ViewAction, WorkerAction, reduce};
 use giveway_solve::{Request, SilentHost, SolveRequest, serve};
 use giveway_web::{Board, Clock, Dock, Inspector, Shown, Tools};
 use gloo::timers::future::TimeoutFuture;
@@ -34,7 +34,7 @@ pub(crate) fn solved() -> State {
     let response = Box::new(response);
     reduce(
         &state,
-        Action::Solve(SolveAction::Respond { job: 1, response }),
+        Action::Worker(WorkerAction::Respond { job: 1, response }),
     )
 }
 

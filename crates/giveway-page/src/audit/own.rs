@@ -10,7 +10,7 @@ use giveway_model::{Plan, tr, tr_later};
 use giveway_solve::Status;
 
 use super::{Audit, Dropped};
-use crate::{Answer, Draft, Mode, State};
+use crate::{Answer, Draft, State};
 
 /// What its file is called where there is none.
 const NAME: Later = tr_later!("This plan");
@@ -24,7 +24,7 @@ pub(super) fn plan(state: &State) -> Option<&Rc<Answer>> {
     let answer = document.fresh_answer()?;
     let is_open = answer.solved.status == Status::Feasible;
     let is_one = answer.course.is_none() && document.own_front().is_none();
-    let is_shown = document.mode == Mode::Editing;
+    let is_shown = document.mode.is_editing();
     (is_open && is_one && is_shown && answer.plan().is_some()).then_some(answer)
 }
 

@@ -16,7 +16,7 @@ use giveway_model::{Cell, check, tr};
 use giveway_solve::freedom::{Closed, Farthest, FreedomAnswer, FreedomRequest, PlanCount};
 use giveway_solve::{Limits, SolveAnswer, Stats, Status};
 
-use crate::{Answer, Document, Draft, Mode, State, Task};
+use crate::{Answer, Document, Draft, State, Task};
 
 pub use cells::{Number, Weight, notes, numbers, pressed};
 pub use column::{CellRow, Cells, Column, Late, Other, Row, Section, Ways, column};
@@ -232,7 +232,7 @@ impl State {
     /// show while one looks into how the plan was found.
     pub(crate) fn freedom(&self) -> Option<&Rc<Freedom>> {
         // Asked of every lane: nothing is compared where nothing is laid over the plan.
-        let is_editing = matches!(self.document.mode, Mode::Editing);
+        let is_editing = self.document.mode.is_editing();
         let is_hidden = self.is_inside() || self.hides_answers();
         let is_on = self.view.overlay.is_on && is_editing && !is_hidden;
         if is_on { self.document.freedom() } else { None }

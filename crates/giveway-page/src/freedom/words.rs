@@ -8,7 +8,7 @@ use giveway_solve::freedom::{Closed, FreedomAnswer, FreedomPart, PlanCount};
 
 use super::{Freedom, cells, is_best};
 use crate::words::grouped;
-use crate::{Mode, State};
+use crate::{Activity, State};
 
 /// What it is called.
 pub const TITLE: Later = tr_later!("What all best plans share");
@@ -16,7 +16,7 @@ pub const TITLE: Later = tr_later!("What all best plans share");
 /// Why it cannot be told of the plan on the board; `None` where it can.
 pub(crate) fn refusal(state: &State) -> Option<&'static str> {
     let document = &state.document;
-    if !matches!(document.mode, Mode::Editing | Mode::Asking(_)) {
+    if document.mode.activity != Activity::Editing {
         return Some(tr!(
             "This is about the best plan of the scene. Finish what you are doing first."
         ));

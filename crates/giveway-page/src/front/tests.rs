@@ -1,7 +1,7 @@
 //! Fronts of the warehouse.
 
 use crate::words;
-use crate::{BoardAction, SolveAction, State, ViewAction};
+use crate::{BoardAction, SolveAction, State, ViewAction, WorkerAction};
 use giveway_model::Costs;
 use giveway_solve::Response;
 
@@ -40,7 +40,7 @@ fn solved(status: Status, costs: &[(u32, u32)]) -> State {
     let response = Box::new(Response::Front(front));
     reduce(
         &state,
-        Action::Solve(SolveAction::Respond { job: 1, response }),
+        Action::Worker(WorkerAction::Respond { job: 1, response }),
     )
 }
 

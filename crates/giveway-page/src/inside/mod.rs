@@ -41,7 +41,7 @@ pub(crate) use steps::place;
 pub use steps::{Steps, steps};
 pub use tree::{Fold, NodeBox, TreeView, view as tree_view};
 
-use crate::{Answer, Mode, State};
+use crate::{Answer, State};
 
 /// A way to find a plan that can be looked into.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -123,7 +123,7 @@ impl State {
         let is_wanted = self
             .lesson()
             .is_none_or(|lesson| lesson.shows(Layer::Inside));
-        self.document.mode == Mode::Editing && !self.is_embedded() && is_wanted
+        self.document.mode.is_editing() && !self.is_embedded() && is_wanted
     }
 
     /// How many steps there are to go through.

@@ -15,8 +15,8 @@ use giveway_formats::Format;
 use giveway_model::format::read_text;
 use giveway_model::tr;
 
+use crate::State;
 use crate::files::{self, Opened, Saved, plan_file, scene_file};
-use crate::{Mode, State};
 use protocol::{PictureKind, Read, ReportKind, Task};
 
 pub use film::Reader;
@@ -212,7 +212,7 @@ impl Intake {
 /// The plan of the scene on the board, around which nothing has changed yet.
 fn running_plan(state: &State) -> Option<Saved> {
     let answer = state.document.fresh_answer()?;
-    let is_running = answer.course.is_none() && state.document.mode == Mode::Editing;
+    let is_running = answer.course.is_none() && state.document.mode.is_editing();
     is_running.then(|| plan_file(state)).flatten()
 }
 

@@ -12,7 +12,7 @@ use giveway_solve::{SolveAnswer, SolveRequest};
 use crate::audit::{Audit, Dropped, unproved};
 use crate::changing::Changing;
 use crate::steering::Steering;
-use crate::{Answer, Document, Draft, Mode};
+use crate::{Activity, Answer, Document, Draft};
 
 /// The document of a board, with its plan where it comes with one.
 ///
@@ -82,7 +82,7 @@ fn changing(draft: &Rc<Draft>, plan: &Plan, changes: &Changes) -> Option<Documen
     let list = list.map(|change| change.what.clone()).collect();
     let changing = Changing::begin(answer, at)?.with(list).ok()?;
     Some(Document {
-        mode: Mode::Changing(Rc::new(changing)),
+        mode: Activity::Changing(Rc::new(changing)).into(),
         ..document
     })
 }
@@ -125,7 +125,7 @@ fn led(draft: &Rc<Draft>, plan: &Plan, names: &[String]) -> Option<Document> {
         own = own.lead(first, 0)?;
     }
     let mut document = Document::new(Rc::clone(draft));
-    document.mode = Mode::Steering(Rc::new(own));
+    document.mode = Activity::Steering(Rc::new(own)).into();
     Some(document)
 }
 

@@ -149,19 +149,14 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         }
         Action::Lesson(_)
         | Action::Board(_)
-        | Action::DragOver(_)
         | Action::Undo
         | Action::Redo
         | Action::Play(_)
         | Action::View(_)
         | Action::File(_)
         | Action::Intake(_)
-        | Action::Solve(
-            SolveAction::Cancel
-            | SolveAction::Progress { .. }
-            | SolveAction::Respond { .. }
-            | SolveAction::Crash { .. },
-        ) => Fate::Happens,
+        | Action::Worker(_)
+        | Action::Solve(SolveAction::Cancel) => Fate::Happens,
         Action::Solve(SolveAction::Begin) => Fate::Dropped,
         Action::Steer(Lead::Discard) => {
             Fate::Closed(tr!("Press Start afresh to lead the robots anew."))

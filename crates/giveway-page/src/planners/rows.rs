@@ -9,7 +9,7 @@ use giveway_solve::words::headline;
 use giveway_solve::{SolveAnswer, Status};
 
 use super::{By, End, Runs};
-use crate::{Answer, Mode, State};
+use crate::{Answer, State};
 
 /// The table.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,7 +77,7 @@ pub enum Place {
 /// something else is done with the plan.
 pub fn table(state: &State) -> Option<Table> {
     let document = &state.document;
-    if !matches!(document.mode, Mode::Editing) {
+    if !document.mode.is_editing() {
         return None;
     }
     let runs = Runs::of(document);

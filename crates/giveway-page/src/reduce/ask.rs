@@ -11,7 +11,7 @@ use super::document::{amend, edit_scene, put};
 use super::{solve, stroke};
 use crate::asking::{Asking, Lit};
 use crate::edit::repair;
-use crate::{Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
+use crate::{Activity, Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
 
 pub(super) fn questions(state: &mut State, action: AskAction) {
     match action {
@@ -30,34 +30,30 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
     }
 }
 
-/// The mode in which a question is asked; where it cannot be asked, a notice says
-/// why.
-fn mode(state: &mut State, question: &Question) -> Option<Mode> {
+/// The question about what is shown; where it cannot be asked, a notice says why.
+fn asking(state: &mut State, question: &Question) -> Option<Asking> {
     let limits = Limits {
         seconds: Some(f64::from(state.settings.seconds)),
         ..Limits::default()
     };
-    let asked = |answer: &Rc<Answer>| Rc::new(Asking::about(answer, question.clone(), limits));
-    match &state.document.mode {
+    let asked = |answer: &Rc<Answer>| Asking::about(answer, question.clone(), limits);
+    match &state.document.mode.activity {
         // A plan of one's own may break any rule: that is what is asked.
-        Mode::Steering(own) | Mode::Judging(own, _) if *question == Question::Plan => {
-            Some(Mode::Judging(Rc::clone(own), asked(&own.answer)))
-        }
-        Mode::Steering(_) | Mode::Judging(..) => {
+        Activity::Steering(own) if *question == Question::Plan => Some(asked(&own.answer)),
+        Activity::Steering(_) => {
             super::steer::is_in_the_way(state);
             None
         }
-        Mode::Comparing(comparing) | Mode::Stuck(comparing, _)
+        Activity::Comparing(comparing)
             if *question == Question::Unsolvable && comparing.preview().is_none() =>
         {
-            let asking = Rc::new(Asking::stuck(&comparing.changing, limits));
-            Some(Mode::Stuck(Rc::clone(comparing), asking))
+            Some(Asking::stuck(&comparing.changing, limits))
         }
-        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
+        Activity::Changing(_) | Activity::Comparing(_) => {
             refuse(state, tr!("Use a new plan first, or discard the changes."));
             None
         }
-        Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {
+        Activity::Editing | Activity::Auditing(_) => {
             let Some(answer) = state.document.fresh_answer() else {
                 refuse(state, tr!("Solve first: questions are about a plan."));
                 return None;
@@ -69,10 +65,7 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
                 refuse(state, &misfit.in_sentences());
                 return None;
             }
-            Some(match state.document.mode.audit() {
-                Some(audit) => Mode::Querying(Rc::clone(audit), asked(answer)),
-                None => Mode::Asking(asked(answer)),
-            })
+            Some(asked(answer))
         }
     }
 }
@@ -80,16 +73,14 @@ fn mode(state: &mut State, question: &Question) -> Option<Mode> {
 /// Asks about the plan that is shown; about the scene where there is none.
 pub(super) fn ask(state: &mut State, question: &Question) {
     stroke::release(state);
-    let Some(mode) = mode(state, question) else {
+    let Some(asking) = asking(state, question) else {
         return;
     };
-    let Some(request) = mode.asking().map(|asking| Rc::clone(&asking.request)) else {
-        return;
-    };
+    let request = Rc::clone(&asking.request);
     state.view.notice = None;
     state.view.playback.playing = false;
     state.view.tab = Tab::Inspector;
-    set_mode(state, mode);
+    set_question(state, Some(Rc::new(asking)));
     state.work.start(Task::Explain(request));
 }
 
@@ -97,10 +88,10 @@ pub(super) fn refuse(state: &mut State, sentence: &str) {
     state.view.notice = Some(Notice::refusal(sentence, Vec::new()));
 }
 
-/// Another mode, as part of the last step: what was asked is no step of its own.
-fn set_mode(state: &mut State, mode: Mode) {
+/// Another question or none, as part of the last step: asking is no step of its own.
+fn set_question(state: &mut State, question: Option<Rc<Asking>>) {
     let document = Document {
-        mode,
+        mode: state.document.mode.with(question),
         ..state.document.clone()
     };
     amend(state, document);
@@ -109,8 +100,7 @@ fn set_mode(state: &mut State, mode: Mode) {
 /// Leaves the question.
 pub(super) fn close(state: &mut State) {
     if state.document.mode.asking().is_some() {
-        let mode = state.document.mode.unasked();
-        set_mode(state, mode);
+        set_question(state, None);
     }
 }
 
@@ -143,7 +133,7 @@ fn take_other(state: &mut State) {
     if let Some(other) = asking.and_then(|asking| asking.other.clone()) {
         let document = Document {
             answer: Some(other),
-            mode: Mode::Editing,
+            mode: Mode::default(),
             ..state.document.clone()
         };
         put(state, document);
@@ -160,7 +150,7 @@ fn take_repair(state: &mut State, index: usize) {
         told.repairs.get(index).cloned()
     });
     let Some(found) = found else { return };
-    if let Mode::Stuck(comparing, _) = &state.document.mode {
+    if let Some(comparing) = state.document.mode.comparing() {
         let changing = Rc::clone(&comparing.changing);
         return super::change::repaired(state, &changing, &found);
     }

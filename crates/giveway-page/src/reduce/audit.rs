@@ -14,7 +14,9 @@ use super::{ask, file, find, intake, play, solve};
 use crate::audit::{Audit, AuditAction, Beside, Dropped, conflicts};
 use crate::files::Opened;
 use crate::known::merged;
-use crate::{Answer, Arrival, Document, Draft, Mode, Notice, Selection, Solving, State, Tab};
+use crate::{
+    Activity, Answer, Arrival, Document, Draft, Mode, Notice, Selection, Solving, State, Tab,
+};
 
 pub(super) fn audit(state: &mut State, action: AuditAction) {
     if action == AuditAction::Begin {
@@ -44,7 +46,7 @@ pub(super) fn audit(state: &mut State, action: AuditAction) {
         }
         AuditAction::Leave => {
             ask::close(state);
-            super::document::enter(state, Mode::Editing);
+            super::document::enter(state, Activity::Editing);
         }
     }
 }
@@ -144,7 +146,7 @@ impl Document {
         let draft = Rc::clone(&answer.draft);
         let legal = audit.plan.is_legal().then_some(answer);
         Self {
-            mode: Mode::Auditing(Rc::new(audit)),
+            mode: Activity::Auditing(Rc::new(audit)).into(),
             ..Self::answered(draft, legal)
         }
     }
@@ -152,12 +154,9 @@ impl Document {
 
 /// Another state of the audit, as part of the last step.
 fn set(state: &mut State, audit: Audit) {
-    let mode = match &state.document.mode {
-        Mode::Querying(_, asking) => Mode::Querying(Rc::new(audit), Rc::clone(asking)),
-        _ => Mode::Auditing(Rc::new(audit)),
-    };
+    let asking = state.document.mode.asking().cloned();
     let document = Document {
-        mode,
+        mode: Mode::from(Activity::Auditing(Rc::new(audit))).with(asking),
         ..state.document.clone()
     };
     amend(state, document);
@@ -179,7 +178,7 @@ fn take(state: &mut State, audit: &Audit) {
     if let Some(ours) = audit.better().cloned() {
         let document = Document {
             answer: Some(ours),
-            mode: Mode::Editing,
+            mode: Mode::default(),
             ..state.document.clone()
         };
         put(state, document);

@@ -17,7 +17,11 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
             stroke::release(state);
         }
         BoardAction::Press(cell) => press::press(state, cell),
-        BoardAction::Drag(cell) => stroke::drag(state, cell),
+        BoardAction::Drag(cells) => {
+            for cell in cells {
+                stroke::drag(state, cell);
+            }
+        }
         BoardAction::Release => stroke::release(state),
         BoardAction::Delete => delete::delete(state),
         BoardAction::Abandon => stroke::abandon(state),

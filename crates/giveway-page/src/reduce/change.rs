@@ -11,7 +11,9 @@ use super::document::{drop_gesture, enter, put};
 use super::{ask, stroke};
 use crate::changing::{Changing, Choice, Comparing, WIDEST};
 use crate::edit::{Edit, repair};
-use crate::{Adapting, ChangeAction, Document, Mode, Notice, Size, State, Tab, Task, Tool};
+use crate::{
+    Activity, Adapting, ChangeAction, Document, Mode, Notice, Size, State, Tab, Task, Tool,
+};
 
 pub(super) fn change(state: &mut State, action: ChangeAction) {
     match action {
@@ -48,7 +50,7 @@ fn begin(state: &mut State) {
     state.view.notice = None;
     state.view.tool = Tool::Select;
     state.view.tab = Tab::Inspector;
-    enter(state, Mode::Changing(Rc::new(changing)));
+    enter(state, Activity::Changing(Rc::new(changing)));
 }
 
 /// Leaves what was listed; undo brings it back.
@@ -56,7 +58,7 @@ fn discard(state: &mut State) {
     if state.document.mode.changing().is_some() {
         drop_gesture(state);
         state.view.tool = Tool::Select;
-        enter(state, Mode::Editing);
+        enter(state, Activity::Editing);
     }
 }
 
@@ -68,7 +70,7 @@ pub(super) fn list(state: &mut State, changing: &Rc<Changing>, edit: &Edit) -> R
     let (after, refused) = changing.with_edits(std::slice::from_ref(edit));
     if after.list != changing.list {
         state.view.notice = None;
-        enter(state, Mode::Changing(Rc::new(after)));
+        enter(state, Activity::Changing(Rc::new(after)));
     } else if refused.is_some() {
         state.view.playback.stop_at(changing.at);
     }
@@ -90,7 +92,7 @@ pub(super) fn repaired(state: &mut State, changing: &Rc<Changing>, found: &Repai
     }
     let document = Document {
         within: within.unwrap_or(state.document.within),
-        mode: Mode::Changing(Rc::new(after)),
+        mode: Activity::Changing(Rc::new(after)).into(),
         ..state.document.clone()
     };
     put(state, document);
@@ -105,7 +107,7 @@ fn take_back(state: &mut State, index: usize) {
         return;
     };
     let (after, lost) = changing.without(index);
-    enter(state, Mode::Changing(Rc::new(after)));
+    enter(state, Activity::Changing(Rc::new(after)));
     if lost > 0 {
         ask::refuse(
             state,
@@ -157,7 +159,7 @@ pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
     state.view.tool = Tool::Select;
     state.view.tab = Tab::Inspector;
     let is_stuck = comparing.preview().is_none();
-    enter(state, Mode::Comparing(Rc::new(comparing)));
+    enter(state, Activity::Comparing(Rc::new(comparing)));
     state.view.playback.stop_at(at);
     if is_stuck {
         ask::ask(state, &Question::Unsolvable);
@@ -166,7 +168,7 @@ pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
 
 /// Previews the plan of a method.
 fn preview(state: &mut State, index: usize) {
-    if let Mode::Comparing(comparing) | Mode::Stuck(comparing, _) = &mut state.document.mode {
+    if let Activity::Comparing(comparing) = &mut state.document.mode.activity {
         let tried = comparing.tried.get(index);
         if tried.is_some_and(|tried| tried.answer.is_some()) {
             Rc::make_mut(comparing).chosen = Some(index);
@@ -184,7 +186,7 @@ fn adopt(state: &mut State, index: usize) {
     let Some((at, answer)) = found else { return };
     let document = Document {
         answer: Some(answer),
-        mode: Mode::Editing,
+        mode: Mode::default(),
         ..state.document.clone()
     };
     put(state, document);

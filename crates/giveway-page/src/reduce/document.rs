@@ -9,7 +9,7 @@ use super::{solve, stroke};
 use crate::edit::{Edit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
-use crate::{Document, Draft, Mode, Notice, Selection, State};
+use crate::{Activity, Document, Draft, Mode, Notice, Selection, State};
 
 /// Puts a document in the place of the one that there is, as one step of undo.
 pub(super) fn put(state: &mut State, document: Document) {
@@ -27,10 +27,10 @@ pub(super) fn amend(state: &mut State, document: Document) {
     settle(state);
 }
 
-/// Changes the mode, as one step of undo.
-pub(super) fn enter(state: &mut State, mode: Mode) {
+/// Begins another activity, as one step of undo; a question ends.
+pub(super) fn enter(state: &mut State, activity: Activity) {
     let document = Document {
-        mode,
+        mode: activity.into(),
         ..state.document.clone()
     };
     put(state, document);
@@ -39,22 +39,19 @@ pub(super) fn enter(state: &mut State, mode: Mode) {
 /// Time, cursor and selection as what is shown now allows them.
 pub(crate) fn settle(state: &mut State) {
     let view = &mut state.view;
-    match &state.document.mode {
-        Mode::Changing(changing) => {
+    match &state.document.mode.activity {
+        Activity::Changing(changing) => {
             view.playback.stop_at(changing.at);
         }
-        Mode::Steering(own) => {
+        Activity::Steering(own) if state.document.mode.asking().is_none() => {
             view.playback.stop_at(own.time());
             view.cursor = own.cell();
             view.selection = Selection::Agent(own.agent);
         }
-        Mode::Editing
-        | Mode::Asking(_)
-        | Mode::Comparing(_)
-        | Mode::Stuck(..)
-        | Mode::Auditing(_)
-        | Mode::Querying(..)
-        | Mode::Judging(..) => {}
+        Activity::Editing
+        | Activity::Comparing(_)
+        | Activity::Auditing(_)
+        | Activity::Steering(_) => {}
     }
     keep_to_plan(state);
     state.view.cursor = state.document.draft.clamp(state.view.cursor);
@@ -170,7 +167,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
             edit if edit.is_afresh() => {
                 after.answer = None;
                 after.found_front = None;
-                after.mode = after.mode.unasked();
+                after.mode = after.mode.with(None);
                 after.leave_audit();
             }
             _ => {}
@@ -202,12 +199,12 @@ impl Document {
             Some(audit) => {
                 let legal = audit.plan.is_legal();
                 self.answer = legal.then(|| Rc::clone(&audit.plan.answer));
-                self.mode = Mode::Auditing(Rc::new(audit));
+                self.mode = Activity::Auditing(Rc::new(audit)).into();
             }
             None => self.leave_audit(),
         }
         if self.is_stale() || self.answer.is_none() {
-            self.mode = self.mode.unasked();
+            self.mode = self.mode.with(None);
         }
     }
 }
@@ -216,7 +213,7 @@ impl Document {
     /// The plan of elsewhere is not for this scene any longer.
     fn leave_audit(&mut self) {
         if self.mode.audit().is_some() {
-            self.mode = Mode::Editing;
+            self.mode = Mode::default();
         }
     }
 }
@@ -229,7 +226,7 @@ pub(super) fn solve_on_change(state: &mut State) {
         return solve::start(state, solve::Start::quiet());
     }
     // A lesson asks the solver by itself.
-    let is_own = state.lesson().is_none() && state.document.mode == Mode::Editing;
+    let is_own = state.lesson().is_none() && state.document.mode.is_editing();
     let is_wanted = state.settings.solve_on_change && is_own;
     if is_wanted && state.document.is_stale() && state.document.draft.instance().is_ok() {
         solve::start(state, solve::Start::quiet());

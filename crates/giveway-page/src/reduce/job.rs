@@ -5,10 +5,23 @@ use giveway_model::tr;
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, freedom, inside, planners, proof, solve};
-use crate::{Adapting, Mode, Notice, Size, Solving, State, Task};
+use crate::{Adapting, Notice, Size, Solving, State, Task, WorkerAction};
+
+/// A worker tells of a job.
+pub(super) fn worker(state: &mut State, action: WorkerAction) {
+    match action {
+        WorkerAction::Progress { job, event } => progress(state, job, event),
+        WorkerAction::Respond { job, response } => respond(state, job, *response),
+        WorkerAction::Crash {
+            job,
+            sentence,
+            had_started,
+        } => crash(state, job, sentence, had_started),
+    }
+}
 
 /// Something became known on the way.
-pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
+fn progress(state: &mut State, id: u64, event: Progress) {
     let Some(task) = state.work.task_mut(id) else {
         return;
     };
@@ -48,7 +61,7 @@ pub(super) fn progress(state: &mut State, id: u64, event: Progress) {
 }
 
 /// The worker answered.
-pub(super) fn respond(state: &mut State, id: u64, response: Response) {
+fn respond(state: &mut State, id: u64, response: Response) {
     if state.work.id() != Some(id) {
         return;
     }
@@ -79,7 +92,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Freedom(_) => tr!("All best plans cannot be compared for this scene."),
     };
     if let Task::Explain(_) = task {
-        let is_stuck = matches!(state.document.mode, Mode::Stuck(..));
+        let is_stuck = state.document.mode.comparing().is_some();
         ask::close(state);
         if is_stuck {
             // Nobody asked: what the methods answered tells the cause.
@@ -100,7 +113,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
 }
 
 /// The worker broke off, or did not even start.
-pub(super) fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
+fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
     if state.work.id() != Some(id) {
         return;
     }

@@ -65,12 +65,8 @@ fn step(state: &mut State, action: Action) {
         Action::Undo => document::undo(state),
         Action::Redo => document::redo(state),
         Action::Board(action) => board::board(state, action),
-        Action::DragOver(cells) => {
-            for cell in cells {
-                board::board(state, BoardAction::Drag(cell));
-            }
-        }
-        Action::Solve(action) => solve::solve(state, action),
+        Action::Solve(action) => solve::solve(state, &action),
+        Action::Worker(action) => job::worker(state, action),
         Action::Ask(action) => ask::questions(state, action),
         Action::Change(action) => change::change(state, action),
         Action::Steer(lead) => steer::steer(state, lead),
@@ -95,21 +91,14 @@ fn step(state: &mut State, action: Action) {
 pub(crate) const fn only_looks(action: &Action) -> bool {
     match action {
         Action::View(action) => !matches!(action, ViewAction::Present(_)),
-        Action::Play(_) => true,
+        Action::Play(_) | Action::Worker(_) => true,
         Action::Board(action) => matches!(action, BoardAction::StepCursor { carries: false, .. }),
         Action::File(action) => matches!(
             action,
             FileAction::OpenLink(_) | FileAction::Refuse(_) | FileAction::RefuseLink(_)
         ),
-        Action::Solve(action) => matches!(
-            action,
-            SolveAction::Cancel
-                | SolveAction::Progress { .. }
-                | SolveAction::Respond { .. }
-                | SolveAction::Crash { .. }
-        ),
+        Action::Solve(action) => matches!(action, SolveAction::Cancel),
         Action::Edit(_)
-        | Action::DragOver(_)
         | Action::Undo
         | Action::Redo
         | Action::Ask(_)

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::file;
 use crate::slot::{Elsewhere, Other, difference};
-use crate::{Mode, SlotAction, State};
+use crate::{Activity, SlotAction, State};
 
 pub(super) fn slot(state: &mut State, action: SlotAction) {
     let waiting = &mut state.view.waiting;
@@ -65,5 +65,5 @@ fn is_at_rest(state: &State) -> bool {
     !state.has_gesture()
         && state.work.is_idle()
         && !state.history.can_redo()
-        && matches!(state.document.mode, Mode::Editing | Mode::Asking(_))
+        && state.document.mode.activity == Activity::Editing
 }

@@ -7,7 +7,7 @@ use giveway_model::tr;
 use super::document::{drop_gesture, enter, settle};
 use super::{ask, stroke};
 use crate::steering::{Lead, Steering};
-use crate::{Mode, Notice, Selection, State, Tab, Tool};
+use crate::{Activity, Notice, Selection, State, Tab, Tool};
 
 /// Whether a plan of one's own keeps something from being done; then a notice says
 /// so.
@@ -62,7 +62,7 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
             let by = (by(cell.x, from.x), by(cell.y, from.y));
             made(state, &own, own.step(by));
         }
-        Lead::Discard => enter(state, Mode::Editing),
+        Lead::Discard => enter(state, Activity::Editing),
     }
 }
 
@@ -83,7 +83,7 @@ pub(super) fn follow(state: &mut State) {
     let last = led.map(|who| own.led().0.path(&who.name).len().saturating_sub(1));
     let last = last.and_then(|last| u32::try_from(last).ok());
     if let Some(led) = last.and_then(|last| own.lead(agent, last)) {
-        state.document.mode = Mode::Steering(Rc::new(led));
+        state.document.mode = Activity::Steering(Rc::new(led)).into();
         settle(state);
     }
 }
@@ -112,7 +112,7 @@ fn made(state: &mut State, own: &Steering, step: Result<Steering, String>) {
     match step {
         Ok(after) => put(state, after),
         Err(told) => {
-            state.document.mode = Mode::Steering(Rc::new(own.refusing(told)));
+            state.document.mode = Activity::Steering(Rc::new(own.refusing(told))).into();
             settle(state);
         }
     }
@@ -122,5 +122,5 @@ fn made(state: &mut State, own: &Steering, step: Result<Steering, String>) {
 fn put(state: &mut State, own: Steering) {
     state.view.notice = None;
     state.view.tab = Tab::Inspector;
-    enter(state, Mode::Steering(Rc::new(own)));
+    enter(state, Activity::Steering(Rc::new(own)));
 }

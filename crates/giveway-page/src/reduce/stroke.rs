@@ -9,7 +9,7 @@ use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
 use crate::edit::Sketch;
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
-use crate::{Document, Draft, Edit, Mode, Notice, Selection, State};
+use crate::{Activity, Document, Draft, Edit, Notice, Selection, State};
 
 /// The pointer went on to a cell.
 pub(super) fn drag(state: &mut State, cell: Cell) {
@@ -57,7 +57,7 @@ fn finish(state: &mut State, stroke: Stroke) {
         Canvas::Scene { before, sketch, .. } => painted(state, &before, &sketch),
         Canvas::World { before, after } => {
             if before.list != after.list {
-                enter(state, Mode::Changing(after));
+                enter(state, Activity::Changing(after));
             }
         }
     }

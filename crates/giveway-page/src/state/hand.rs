@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use crate::gesture::{Gesture, Placing, Stroke, Thing};
-use crate::{Draft, Mode, State};
+use crate::{Activity, Draft, State};
 
 impl State {
     /// The stroke that is not finished.
@@ -48,13 +48,13 @@ impl State {
         if is_still {
             return None;
         }
-        match &self.document.mode {
-            Mode::Steering(_) | Mode::Judging(..) => return None,
-            Mode::Changing(changing) => return self.thing_in(changing.draft(), cell),
-            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+        match &self.document.mode.activity {
+            Activity::Steering(_) => return None,
+            Activity::Changing(changing) => return self.thing_in(changing.draft(), cell),
+            Activity::Comparing(comparing) => {
                 return self.thing_in(comparing.changing.draft(), cell);
             }
-            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {}
+            Activity::Editing | Activity::Auditing(_) => {}
         }
         let draft = &self.document.draft;
         // What the scene is made of can only be moved where it is shown.

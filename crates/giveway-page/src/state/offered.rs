@@ -4,12 +4,12 @@ use std::rc::Rc;
 
 use crate::edit::fresh_name;
 use crate::steering::Steering;
-use crate::{Answer, Mode, State};
+use crate::{Activity, Answer, State};
 
 impl State {
     /// Whether a planner could plan the scene: nothing else is done with a plan.
     pub const fn can_plan(&self) -> bool {
-        matches!(self.document.mode, Mode::Editing | Mode::Asking(_))
+        matches!(self.document.mode.activity, Activity::Editing)
     }
 
     /// Whether the world could change at the time shown: there is a plan, and
@@ -26,10 +26,10 @@ impl State {
             let last = answer.changed_last();
             last.is_none_or(|last| self.view.playback.time > last)
         };
-        let can_begin = matches!(
-            document.mode,
-            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..)
-        );
+        let can_begin = match document.mode.activity {
+            Activity::Editing | Activity::Auditing(_) => true,
+            Activity::Changing(_) | Activity::Comparing(_) | Activity::Steering(_) => false,
+        };
         can_begin && answer.is_some_and(is_later)
     }
 
@@ -38,13 +38,13 @@ impl State {
     pub fn can_steer(&self) -> Option<usize> {
         let agent = self.selected_agent()?;
         let time = self.view.playback.time;
-        let can = match &self.document.mode {
-            Mode::Steering(own) | Mode::Judging(own, _) => own.agent != agent || time < own.time(),
-            Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {
+        let can = match &self.document.mode.activity {
+            Activity::Steering(own) => own.agent != agent || time < own.time(),
+            Activity::Editing | Activity::Auditing(_) => {
                 let answer = self.document.fresh_answer();
                 answer.is_some_and(|answer| Steering::can_begin(answer, agent, time))
             }
-            Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => false,
+            Activity::Changing(_) | Activity::Comparing(_) => false,
         };
         can.then_some(agent)
     }

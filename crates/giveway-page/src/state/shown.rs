@@ -7,7 +7,7 @@ use giveway_model::{Costs, Plan};
 use crate::audit::Beside;
 use crate::planners::Runs;
 use crate::steering::Steering;
-use crate::{Answer, Draft, Mode, Solving, State, Task};
+use crate::{Activity, Answer, Draft, Solving, State, Task};
 
 impl State {
     /// Whether more of an answer to the question is being looked for.
@@ -28,7 +28,7 @@ impl State {
     /// The best plan so far of a search that goes on, where the board shows it.
     pub fn so_far(&self) -> Option<&Rc<Answer>> {
         let run = self.work.solving()?;
-        let is_shown = self.document.mode == Mode::Editing;
+        let is_shown = self.document.mode.is_editing();
         run.preview.as_ref().filter(|_| is_shown)
     }
 
@@ -58,17 +58,22 @@ impl State {
         if self.is_inside() || self.hides_answers() {
             return None;
         }
-        let other = match &self.document.mode {
-            Mode::Editing if self.farthest().is_some() => self.farthest(),
-            Mode::Editing if self.open_before().is_some() => self.open_before(),
-            Mode::Editing => {
+        let mode = &self.document.mode;
+        let other = match &mode.activity {
+            _ if mode.asking().is_some() => mode.asking()?.other.as_ref(),
+            Activity::Editing if self.farthest().is_some() => self.farthest(),
+            Activity::Editing if self.open_before().is_some() => self.open_before(),
+            Activity::Editing => {
                 let runs = Runs::fresh(&self.document)?;
                 let this = self.document.answer.as_ref();
                 let is_other = |other: &&Rc<Answer>| this.is_some_and(|a| !Rc::ptr_eq(a, other));
                 runs.plan(self.view.versus?).filter(is_other)
             }
-            Mode::Auditing(audit) if audit.beside != Beside::Nothing => audit.other(),
-            mode => mode.asking()?.other.as_ref(),
+            Activity::Auditing(audit) if audit.beside != Beside::Nothing => audit.other(),
+            Activity::Auditing(_)
+            | Activity::Changing(_)
+            | Activity::Comparing(_)
+            | Activity::Steering(_) => None,
         };
         other.filter(|_| self.view.is_wide)
     }
@@ -127,13 +132,13 @@ impl State {
     /// The last time that can be shown, in steps.
     pub fn last_time(&self) -> u32 {
         let mode = &self.document.mode;
-        match mode {
-            Mode::Changing(changing) => return changing.at,
-            Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+        match &mode.activity {
+            Activity::Changing(changing) => return changing.at,
+            Activity::Comparing(comparing) => {
                 let preview = comparing.preview();
                 return preview.map_or(comparing.changing.at, |answer| answer.makespan());
             }
-            _ => {}
+            Activity::Editing | Activity::Steering(_) | Activity::Auditing(_) => {}
         }
         let both = self.playing().into_iter().chain(self.beside());
         let led = mode.steering().map(|own| Steering::time(own));

@@ -16,7 +16,7 @@ mod steer;
 use giveway_solve::{Request, Response, SilentHost, serve};
 
 use crate::reduce::tests::after;
-use crate::{Action, BoardAction, PlayAction, Selection, SolveAction, State, words};
+use crate::{Action, BoardAction, PlayAction, Selection, State, WorkerAction, words};
 
 pub(crate) use change::{adopted, compared};
 use picture::page;
@@ -29,13 +29,13 @@ fn answer(state: &State) -> Action {
         plan.limits.memory_bytes = Some(1 << 24);
     }
     let response = Box::new(serve(&request, &SilentHost));
-    Action::Solve(SolveAction::Respond { job, response })
+    Action::Worker(WorkerAction::Respond { job, response })
 }
 
 /// The state after the solver answered; it does not refuse.
 fn answered(state: &State) -> State {
     let answer = answer(state);
-    if let Action::Solve(SolveAction::Respond { response, .. }) = &answer {
+    if let Action::Worker(WorkerAction::Respond { response, .. }) = &answer {
         assert!(!matches!(**response, Response::Refused(_)), "{response:?}");
     }
     after(state, [answer])

@@ -6,7 +6,7 @@ use giveway_solve::{Response, SilentHost, serve};
 
 use crate::opening::{answer, draft};
 use crate::reduce::tests::after;
-use crate::{Action, Draft, SolveAction, State, link};
+use crate::{Action, Draft, SolveAction, State, WorkerAction, link};
 
 const SCENE: &str = include_str!("../../../../static/examples/warehouse.json");
 
@@ -28,7 +28,7 @@ fn it_is_what_the_solver_answers() {
     let response = Box::new(Response::Solved(solved.clone()));
     let state = after(
         &asked,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     );
     let text = link::keep_moment(&state.moment());
     expect_file!["../../../../static/opening.txt"].assert_eq(&(text + "\n"));

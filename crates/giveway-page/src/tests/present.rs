@@ -153,7 +153,7 @@ fn a_hand_only_points() {
         &state,
         [
             Action::Board(BoardAction::Press(start)),
-            Action::Board(BoardAction::Drag(to)),
+            Action::Board(BoardAction::Drag(vec![to])),
             Action::Board(BoardAction::Release),
         ],
     );

@@ -124,7 +124,7 @@ mod tests {
     use giveway_solve::Progress;
 
     use super::*;
-    use crate::{Action, SolveAction, State, reduce, sample};
+    use crate::{Action, SolveAction, State, WorkerAction, reduce, sample};
 
     fn after(events: &[Progress]) -> Gauge {
         let mut state = reduce(
@@ -135,7 +135,7 @@ mod tests {
             let event = event.clone();
             state = reduce(
                 &state,
-                Action::Solve(SolveAction::Progress { job: 1, event }),
+                Action::Worker(WorkerAction::Progress { job: 1, event }),
             );
         }
         gauge(state.work.solving().unwrap())

@@ -17,7 +17,7 @@ use giveway_model::{Agent, Cell, Scene};
 use giveway_page::files::blank;
 use giveway_page::link;
 use giveway_page::slot::{Message, Press, message};
-use giveway_page::{Action, Draft, Edit, SolveAction, State, reduce};
+use giveway_page::{Action, Draft, Edit, SolveAction, State, WorkerAction, reduce};
 use giveway_solve::Progress;
 
 fn scene(name: &str) -> Scene {
@@ -79,5 +79,5 @@ fn answered(run: &State) -> State {
     }
     let (job, request) = run.work.request().unwrap();
     let response = Box::new(giveway_solve::serve(&request, &Alone));
-    reduce(run, Action::Solve(SolveAction::Respond { job, response }))
+    reduce(run, Action::Worker(WorkerAction::Respond { job, response }))
 }

@@ -1,7 +1,7 @@
 //! What cannot be kept or solved is said, and what there is stays.
 
 use giveway_page::slot::{Kind, Lost, Press, Unkept, message};
-use giveway_page::{Action, SlotAction, SolveAction, reduce};
+use giveway_page::{Action, SlotAction, SolveAction, WorkerAction, reduce};
 use giveway_solve::Progress;
 
 use super::{edited, link_to, opened, solved, title};
@@ -45,13 +45,13 @@ fn a_worker_that_breaks_down_leaves_the_best_plan() {
         costs,
         plan: plan.clone(),
     };
-    let run = reduce(&run, Action::Solve(SolveAction::Progress { job, event }));
-    let crash = SolveAction::Crash {
+    let run = reduce(&run, Action::Worker(WorkerAction::Progress { job, event }));
+    let crash = WorkerAction::Crash {
         job,
         sentence: "It panicked.".to_owned(),
         had_started: true,
     };
-    let after = reduce(&run, Action::Solve(crash));
+    let after = reduce(&run, Action::Worker(crash));
     assert!(after.work.is_idle());
     assert_eq!(after.plan(), Some(&plan));
     let notice = after.view.notice.as_ref().unwrap();

@@ -39,7 +39,7 @@ impl Surface {
             }
         }
         if !cells.is_empty() {
-            self.send.emit(Action::DragOver(cells));
+            self.send.emit(Action::Board(BoardAction::Drag(cells)));
         }
         last
     }

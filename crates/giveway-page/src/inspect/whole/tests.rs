@@ -4,7 +4,7 @@ use giveway_model::Cost;
 use giveway_solve::Progress;
 
 use super::*;
-use crate::{Action, BoardAction, SolveAction, reduce, sample};
+use crate::{Action, BoardAction, SolveAction, WorkerAction, reduce, sample};
 
 #[test]
 fn a_proved_plan() {
@@ -40,7 +40,7 @@ fn a_solve_under_way() {
     };
     let state = reduce(
         &state,
-        Action::Solve(SolveAction::Progress { job: 1, event }),
+        Action::Worker(WorkerAction::Progress { job: 1, event }),
     );
     let costs = whole(&state).costs;
     assert_eq!(costs.len(), 1);

@@ -10,7 +10,7 @@ use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
 use super::parts::Parts;
 use crate::changing::Changing;
 use crate::link::{Linked, Source, change, claim};
-use crate::{Answer, Document, Draft, Mode};
+use crate::{Activity, Answer, Document, Draft};
 
 /// A plan with the changes around it, as files tell it, judged.
 ///
@@ -49,7 +49,7 @@ pub(crate) fn changing(draft: Draft, plan: Plan, changes: &Changes) -> Result<Li
     let changing = changing.transpose().map_err(|faults| misfit(&faults))?;
     if let Some(changing) = changing.flatten() {
         linked.time = changing.at;
-        linked.document.mode = Mode::Changing(Rc::new(changing));
+        linked.document.mode = Activity::Changing(Rc::new(changing)).into();
     }
     Ok(linked)
 }

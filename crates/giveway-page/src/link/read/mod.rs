@@ -17,7 +17,7 @@ use super::{
 };
 use crate::audit::Audit;
 use crate::front::Front;
-use crate::{Answer, Colours, Document, Draft, Looks, Mode};
+use crate::{Activity, Answer, Colours, Document, Draft, Looks, Mode};
 
 pub(crate) use judged::{changing, judged};
 pub(super) use parts::{is_of_scene, is_public};
@@ -169,10 +169,8 @@ impl Reader {
 fn audited(document: &mut Document, audit: Rc<Audit>, parts: &Parts<'_>) -> Result<(), String> {
     let legal = audit.plan.is_legal();
     document.answer = legal.then(|| Rc::clone(&audit.plan.answer));
-    document.mode = match mode::asking(&audit.plan.answer, parts)? {
-        Some(asking) if legal => Mode::Querying(audit, asking),
-        _ => Mode::Auditing(audit),
-    };
+    let asking = mode::asking(&audit.plan.answer, parts)?.filter(|_| legal);
+    document.mode = Mode::from(Activity::Auditing(audit)).with(asking);
     Ok(())
 }
 

@@ -8,7 +8,7 @@ use super::parts::Parts;
 use crate::asking::Asking;
 use crate::changing::{Changing, Comparing};
 use crate::link::{ask, change, message, steering};
-use crate::{Answer, Mode};
+use crate::{Activity, Answer, Mode};
 
 /// What was being done with the plan.
 ///
@@ -36,15 +36,14 @@ pub(super) fn mode(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Mode, String
         }
         None => None,
     };
-    Ok(match (own, changing, comparing, asking) {
-        (Some(own), _, _, Some(asking)) => Mode::Judging(own, asking),
-        (Some(own), _, _, None) => Mode::Steering(own),
-        (None, _, Some(comparing), Some(asking)) => Mode::Stuck(comparing, asking),
-        (None, _, Some(comparing), None) => Mode::Comparing(comparing),
-        (None, Some(changing), None, _) => Mode::Changing(changing),
-        (None, None, None, Some(asking)) => Mode::Asking(asking),
-        (None, None, None, None) => Mode::Editing,
-    })
+    let activity = match (own, comparing, changing) {
+        (Some(own), _, _) => Activity::Steering(own),
+        (None, Some(comparing), _) => Activity::Comparing(comparing),
+        // Nothing is asked while changes are being listed.
+        (None, None, Some(changing)) => return Ok(Activity::Changing(changing).into()),
+        (None, None, None) => Activity::Editing,
+    };
+    Ok(Mode::from(activity).with(asking))
 }
 
 /// The question that was asked about an answer.

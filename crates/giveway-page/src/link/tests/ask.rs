@@ -4,7 +4,7 @@ use giveway_model::{Cell, Question};
 
 use super::{bare, why};
 use crate::link::{ask, keep, kept, open, write};
-use crate::{Action, AskAction, Draft, Phase, SolveAction, State, reduce, sample};
+use crate::{Action, AskAction, Draft, Phase, SolveAction, State, WorkerAction, reduce, sample};
 
 #[test]
 fn a_question_is_asked_again() {
@@ -47,7 +47,7 @@ fn a_question_without_a_plan_waits_for_the_answer() {
     let response = Box::new(giveway_solve::Response::Solved(solved));
     let answered = reduce(
         &opened,
-        Action::Solve(SolveAction::Respond { job: run, response }),
+        Action::Worker(WorkerAction::Respond { job: run, response }),
     );
     assert_eq!(answered.phase(), Phase::Asking);
     assert_eq!(

@@ -5,7 +5,8 @@ use giveway_solve::{Response, Status};
 
 use crate::link::{From, Sharing, document, embed, open, read, write};
 use crate::{
-    Action, AskAction, Draft, Phase, PlayAction, SolveAction, State, ViewAction, reduce, sample,
+    Action, AskAction, Draft, Phase, PlayAction, SolveAction, State, ViewAction, WorkerAction,
+    reduce, sample,
 };
 
 const PUZZLE: Sharing = Sharing {
@@ -123,7 +124,7 @@ fn a_link_of_a_scene_without_a_plan_finds_that_verdict_again() {
     let job = begun.work.id().unwrap();
     let state = reduce(
         &begun,
-        Action::Solve(SolveAction::Respond { job, response }),
+        Action::Worker(WorkerAction::Respond { job, response }),
     );
     assert_eq!(state.phase(), Phase::None);
     let text = write(&state);

@@ -16,7 +16,7 @@ use crate::present::Presenting;
 use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
-    Action, AskAction, BoardAction, Edit, Mode, Notice, Paint, Selection, SolveAction, State, Tab,
+    Action, AskAction, BoardAction, Edit, Notice, Paint, Selection, SolveAction, State, Tab,
     ViewAction, ask,
 };
 
@@ -111,7 +111,7 @@ fn open(state: &mut State, board: &Rc<Board>) {
         next.view.selection = Selection::Agent(own.agent);
     }
     *state = next;
-    if board.plan == BoardPlan::Best && state.document.mode == Mode::Editing {
+    if board.plan == BoardPlan::Best && state.document.mode.is_editing() {
         solve::start(state, solve::Start::quiet());
     }
     play::seek(state, board.time);

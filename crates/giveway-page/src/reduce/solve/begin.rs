@@ -10,7 +10,7 @@ use giveway_solve::{Limits, SolveRequest, Status};
 use crate::front::has_front;
 use crate::problems::Problem;
 use crate::reduce::{ask, change, inside, stroke};
-use crate::{Answer, Arrival, Mode, Notice, Size, Solving, State, Task};
+use crate::{Activity, Answer, Arrival, Notice, Size, Solving, State, Task};
 
 /// How a solve begins.
 pub(in crate::reduce) struct Start {
@@ -65,12 +65,10 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             ),
         );
     }
-    match &state.document.mode {
-        Mode::Changing(_) | Mode::Comparing(_) | Mode::Stuck(..) => {
-            return change::adapt(state);
-        }
-        Mode::Steering(_) | Mode::Judging(..) => return ask::ask(state, &Question::Plan),
-        Mode::Editing | Mode::Asking(_) | Mode::Auditing(_) | Mode::Querying(..) => {}
+    match state.document.mode.activity {
+        Activity::Changing(_) | Activity::Comparing(_) => return change::adapt(state),
+        Activity::Steering(_) => return ask::ask(state, &Question::Plan),
+        Activity::Editing | Activity::Auditing(_) => {}
     }
     if let Some(at) = state.document.changed_last() {
         // It would put a plan of the scene before the changes in the place of this one.

@@ -5,7 +5,7 @@ mod begin;
 mod known;
 mod preview;
 
-use super::{ask, inside, job, planners, proof};
+use super::{ask, inside, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -18,8 +18,8 @@ use giveway_model::tr;
 /// A plan of at most so many agents is proved as soon as it is opened.
 const SMALL: usize = 12;
 
-pub(super) fn solve(state: &mut State, action: SolveAction) {
-    match action {
+pub(super) fn solve(state: &mut State, action: &SolveAction) {
+    match *action {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => start(state, Start::step()),
         SolveAction::Plan(planner) => start(state, Start::by(planner)),
@@ -30,13 +30,6 @@ pub(super) fn solve(state: &mut State, action: SolveAction) {
         SolveAction::ShowPoint(point) => show_point(state, point),
         SolveAction::CheckProof => proof::start(state),
         SolveAction::SaveProof => proof::export(state),
-        SolveAction::Progress { job, event } => job::progress(state, job, event),
-        SolveAction::Respond { job, response } => job::respond(state, job, *response),
-        SolveAction::Crash {
-            job,
-            sentence,
-            had_started,
-        } => job::crash(state, job, sentence, had_started),
     }
 }
 

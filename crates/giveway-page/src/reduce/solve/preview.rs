@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use crate::{Answer, Arrival, Mode, Solving, State};
+use crate::{Answer, Arrival, Solving, State};
 
 /// Brings the best plan so far to the board. The first one plays; a better one
 /// takes its place where all robots stand at their starts or at their goals, so
@@ -37,7 +37,7 @@ fn next(state: &State) -> Option<Answer> {
     let stays = shown.is_some_and(|shown| {
         run.arrival == Arrival::Quiet && shown.plan().is_some() || shown.course.is_some()
     });
-    if run.planner.is_some() || run.request.pareto || stays || document.mode != Mode::Editing {
+    if run.planner.is_some() || run.request.pareto || stays || !document.mode.is_editing() {
         return None;
     }
     run.plan.as_ref()?;

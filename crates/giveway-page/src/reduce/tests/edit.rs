@@ -30,7 +30,7 @@ fn a_stroke_shows_before_it_ends() {
     let actions = [
         Action::Board(BoardAction::PickTool(Tool::Charger)),
         Action::Board(BoardAction::Press(Cell::new(0, 1))),
-        Action::Board(BoardAction::Drag(Cell::new(0, 2))),
+        Action::Board(BoardAction::Drag(vec![Cell::new(0, 2)])),
     ];
     let state = after(&fresh(), actions);
     let map = &state.world().scene().map;

@@ -45,7 +45,7 @@ pub(crate) fn stroke(tool: Tool, cells: &[(u32, u32)]) -> Vec<Action> {
         Action::Board(BoardAction::PickTool(tool)),
         Action::Board(BoardAction::Press(first)),
     ];
-    actions.extend(cells.map(|cell| Action::Board(BoardAction::Drag(cell))));
+    actions.extend(cells.map(|cell| Action::Board(BoardAction::Drag(vec![cell]))));
     actions.push(Action::Board(BoardAction::Release));
     actions
 }

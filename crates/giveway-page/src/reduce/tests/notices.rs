@@ -9,7 +9,9 @@ use crate::action::IntakeAction;
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Reply, Run};
 use crate::sample::{draft, solved};
-use crate::{Action, AskAction, Draft, FileAction, NoticeKind, SolveAction, State, Tool};
+use crate::{
+    Action, AskAction, Draft, FileAction, NoticeKind, SolveAction, State, Tool, WorkerAction,
+};
 
 fn kind(state: &State) -> (NoticeKind, &str) {
     let notice = state.view.notice.as_ref().expect("a notice");
@@ -80,14 +82,14 @@ fn what_was_refused_or_failed_is_none() {
     is(&after(&fresh(), [crate::link::open("giveway=1&map=")]));
     let unsolved = Action::Ask(AskAction::Ask(Question::Makespan));
     is(&after(&fresh(), [unsolved]));
-    let crash = |job| SolveAction::Crash {
+    let crash = |job| WorkerAction::Crash {
         job,
         sentence: "out of memory".to_owned(),
         had_started: true,
     };
     let begun = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
     let job = begun.work.id().unwrap();
-    is(&after(&begun, [Action::Solve(crash(job))]));
+    is(&after(&begun, [Action::Worker(crash(job))]));
     // A scene in which a robot starts in an obstacle cannot be solved.
     let mut scene: Scene = draft().scene().clone();
     scene.map[0].replace_range(0..1, "#");

@@ -8,7 +8,7 @@ use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
 
 use super::{after, fresh};
 use crate::sample::solved;
-use crate::{Action, Draft, Phase, PlayAction, SolveAction, State};
+use crate::{Action, Draft, Phase, PlayAction, SolveAction, State, WorkerAction};
 
 /// One robot in a corridor, which is solved.
 fn begun() -> State {
@@ -66,7 +66,10 @@ fn best() -> SolveAnswer {
 
 fn tell(state: &State, event: Progress) -> State {
     let job = state.work.id().unwrap();
-    after(state, [Action::Solve(SolveAction::Progress { job, event })])
+    after(
+        state,
+        [Action::Worker(WorkerAction::Progress { job, event })],
+    )
 }
 
 fn play(state: &State, action: PlayAction) -> State {
@@ -78,7 +81,7 @@ fn answered(state: &State, solved: SolveAnswer) -> State {
     let response = Box::new(Response::Solved(solved));
     after(
         state,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     )
 }
 

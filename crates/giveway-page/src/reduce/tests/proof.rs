@@ -8,7 +8,7 @@ use giveway_solve::{Progress, Request, Response};
 use super::{after, stroke};
 use crate::proof::{Outcome, Proof, proof};
 use crate::sample::solved;
-use crate::{Action, BoardAction, Phase, Selection, SolveAction, State, Tool, words};
+use crate::{Action, BoardAction, Phase, Selection, SolveAction, State, Tool, WorkerAction, words};
 
 fn checking() -> State {
     after(&solved(), [Action::Solve(SolveAction::CheckProof)])
@@ -58,7 +58,7 @@ fn respond(state: &State, report: Report) -> State {
     let response = Box::new(Response::Certified(Box::new(report)));
     after(
         state,
-        [Action::Solve(SolveAction::Respond { job: run, response })],
+        [Action::Worker(WorkerAction::Respond { job: run, response })],
     )
 }
 
@@ -88,7 +88,7 @@ fn each_claim_is_told_as_it_is_come_to() {
     let state = checking();
     let run = state.work.id().unwrap();
     let tell = |checking| {
-        Action::Solve(SolveAction::Progress {
+        Action::Worker(WorkerAction::Progress {
             job: run,
             event: Progress::Certifying {
                 claim: "There is no plan.".to_owned(),
@@ -172,7 +172,7 @@ fn it_is_cancelled_at_once_and_what_comes_late_is_ignored() {
     let response = Box::new(Response::Certified(Box::new(report(claims()))));
     let late = after(
         &cancelled,
-        [Action::Solve(SolveAction::Respond { job: run, response })],
+        [Action::Worker(WorkerAction::Respond { job: run, response })],
     );
     assert_eq!(proof(&late), Some(Proof::Offered));
     let selected = after(

@@ -5,7 +5,7 @@ use giveway_solve::{Ended, Progress, Refusal, Response, SolveAnswer, Stats, Stat
 
 use super::{after, edit, fresh};
 use crate::sample::solved;
-use crate::{Action, Edit, Phase, Size, SolveAction, Solving, State, ViewAction};
+use crate::{Action, Edit, Phase, Size, SolveAction, Solving, State, ViewAction, WorkerAction};
 
 fn run(state: &State) -> &Solving {
     state.work.solving().unwrap()
@@ -16,7 +16,7 @@ fn solving() -> State {
 }
 
 fn bound(run: u64, at_least: u32) -> Action {
-    Action::Solve(SolveAction::Progress {
+    Action::Worker(WorkerAction::Progress {
         job: run,
         event: Progress::Bound {
             cost: Cost::Makespan,
@@ -42,14 +42,14 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         stats: Stats::default(),
         trace: None,
     };
-    Action::Solve(SolveAction::Respond {
+    Action::Worker(WorkerAction::Respond {
         job: run,
         response: Box::new(Response::Solved(solved)),
     })
 }
 
 fn crash(run: u64, had_started: bool) -> Action {
-    Action::Solve(SolveAction::Crash {
+    Action::Worker(WorkerAction::Crash {
         job: run,
         sentence: "It broke.".to_owned(),
         had_started,
@@ -98,7 +98,7 @@ fn progress_only_improves() {
         clauses: 3000,
         conflicts: 5,
     };
-    let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
+    let tell = |event| Action::Worker(WorkerAction::Progress { job: 1, event });
     let actions = [
         bound(1, 17),
         bound(1, 15),
@@ -210,7 +210,7 @@ fn a_refusal_is_told() {
         let response = Box::new(Response::Refused(refusal));
         let state = after(
             &solving(),
-            [Action::Solve(SolveAction::Respond { job: 1, response })],
+            [Action::Worker(WorkerAction::Respond { job: 1, response })],
         );
         let notice = state.view.notice.unwrap();
         let detail = "agents[0].goal: found the obstacle (1, 1), expected a free cell";

@@ -5,7 +5,7 @@ use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
 
 use super::{after, fresh};
 use crate::sample::solved;
-use crate::{Action, BoardAction, Phase, SolveAction, State, ViewAction, words};
+use crate::{Action, BoardAction, Phase, SolveAction, State, ViewAction, WorkerAction, words};
 
 /// The warehouse while it is solved: the plan is found, and half of its proof.
 fn half_way() -> State {
@@ -20,7 +20,7 @@ fn half_way() -> State {
         plan: whole.plan.unwrap(),
     };
     let job = state.work.id().unwrap();
-    let tell = |event| Action::Solve(SolveAction::Progress { job, event });
+    let tell = |event| Action::Worker(WorkerAction::Progress { job, event });
     after(&state, [bound, plan].map(tell))
 }
 
@@ -44,7 +44,7 @@ fn cancelling_keeps_the_best_plan_and_all_bounds() {
 #[test]
 fn a_worker_that_breaks_down_takes_nothing_along() {
     let state = half_way();
-    let crash = Action::Solve(SolveAction::Crash {
+    let crash = Action::Worker(WorkerAction::Crash {
         job: state.work.id().unwrap(),
         sentence: "Out of memory.".to_owned(),
         had_started: true,
@@ -63,7 +63,7 @@ fn a_plan_that_breaks_a_rule_is_never_shown() {
         plan: Plan::default(),
     };
     let actions = [
-        Action::Solve(SolveAction::Progress { job, event }),
+        Action::Worker(WorkerAction::Progress { job, event }),
         Action::Solve(SolveAction::Cancel),
     ];
     let state = after(&state, actions);
@@ -96,7 +96,7 @@ fn solving_again_goes_on_from_what_is_known() {
     let job = state.work.id().unwrap();
     let ended = after(
         &state,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     );
     assert_eq!(told(&ended).bounds[&Cost::Makespan], 17);
     assert_eq!(ended.plan(), stopped.plan());
@@ -145,7 +145,7 @@ fn a_shared_plan_is_proved_where_it_stands() {
         let response = Box::new(Response::Solved(solved));
         after(
             &state,
-            [Action::Solve(SolveAction::Respond { job, response })],
+            [Action::Worker(WorkerAction::Respond { job, response })],
         )
     };
     let proved = answer(best.clone());

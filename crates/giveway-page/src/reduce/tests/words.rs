@@ -7,7 +7,7 @@ use super::solve::respond;
 use super::{after, edit, fresh};
 use crate::sample::solved;
 use crate::words::{Badge, standing};
-use crate::{Action, Draft, SolveAction, State};
+use crate::{Action, Draft, SolveAction, State, WorkerAction};
 
 #[track_caller]
 fn check(state: &State, badge: Badge, sentence: &str) {
@@ -20,7 +20,7 @@ fn check(state: &State, badge: Badge, sentence: &str) {
 
 /// The answer to the warehouse, changed.
 fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
-    let Action::Solve(SolveAction::Respond { mut response, .. }) = respond(1, Status::Unknown)
+    let Action::Worker(WorkerAction::Respond { mut response, .. }) = respond(1, Status::Unknown)
     else {
         panic!("no response");
     };
@@ -31,7 +31,7 @@ fn answered(change: impl FnOnce(&mut SolveAnswer)) -> State {
         &fresh(),
         [
             Action::Solve(SolveAction::Solve),
-            Action::Solve(SolveAction::Respond { job: 1, response }),
+            Action::Worker(WorkerAction::Respond { job: 1, response }),
         ],
     )
 }
@@ -75,7 +75,7 @@ fn plan() -> Progress {
 
 #[test]
 fn while_it_solves() {
-    let tell = |event| Action::Solve(SolveAction::Progress { job: 1, event });
+    let tell = |event| Action::Worker(WorkerAction::Progress { job: 1, event });
     let bound = |cost, at_least| tell(Progress::Bound { cost, at_least });
     let mut state = after(&fresh(), [Action::Solve(SolveAction::Solve)]);
     check(&state, Badge::Solving, "Solving: no bound yet.");
@@ -111,7 +111,7 @@ fn a_plan_before_any_bound() {
         &fresh(),
         [
             Action::Solve(SolveAction::Solve),
-            Action::Solve(SolveAction::Progress { job: 1, event }),
+            Action::Worker(WorkerAction::Progress { job: 1, event }),
         ],
     );
     let sentence = "Solving: a plan with makespan 20, sum of costs 40, 1 charge.";

@@ -4,9 +4,7 @@ use super::{LEGAL, LEGAL_PATHS, MEETING, SCENE, audit, dropped, file, fresh};
 use crate::audit::{AuditAction, conflicts, facts, question};
 use crate::files::{Reading, read};
 use crate::tests::answered as answer;
-use crate::{
-    Action, BoardAction, FileAction, Mode, PlayAction, Selection, State, keys, reduce, words,
-};
+use crate::{Action, BoardAction, FileAction, PlayAction, Selection, State, keys, reduce, words};
 use giveway_model::Cell;
 
 /// A hall in which A1 and A2 meet, and then A2 and A3; A4 is alone.
@@ -122,7 +120,7 @@ fn a_plan_of_our_own_is_one_step_from_its_audit() {
         Action::File(FileAction::OpenLink(Box::new(linked.linked))),
     );
     // It is played; while it is proved, and after, one press audits it.
-    assert_eq!(opened.document.mode, Mode::Editing);
+    assert!(opened.document.mode.is_editing());
     for opened in [opened.clone(), answer(&opened)] {
         assert_eq!(question(&opened), Some("How good is this plan?"));
         let state = reduce(&opened, Action::Audit(AuditAction::Begin));

@@ -10,7 +10,8 @@ use crate::audit::{AuditAction, facts};
 use crate::intake::protocol::{ReportKind, Task};
 use crate::tests::answered as answer;
 use crate::{
-    Action, AskAction, Edit, Mode, Phase, SolveAction, State, ViewAction, link, reduce, words,
+    Action, AskAction, Edit, Phase, SolveAction, State, ViewAction, WorkerAction, link, reduce,
+    words,
 };
 
 fn act(state: &State, action: AuditAction) -> State {
@@ -64,7 +65,7 @@ fn an_illegal_plan_is_shown_and_told() {
         Some("Use the legal plan")
     );
     let taken = act(&wide, AuditAction::Take);
-    assert_eq!(taken.document.mode, Mode::Editing);
+    assert!(taken.document.mode.is_editing());
     assert_eq!(words::standing(&taken).sentence.get(..8), Some("Optimal:"));
     let back = reduce(&taken, Action::Undo);
     assert_eq!(back.document, wide.document);
@@ -98,7 +99,7 @@ fn a_legal_plan_is_measured_against_the_bound() {
     let question = crate::ask::offers(&state)[0].offers[0].question.clone();
     let asked = reduce(&state, Action::Ask(AskAction::Ask(question)));
     assert!(
-        matches!(asked.document.mode, Mode::Querying(..)),
+        asked.document.mode.audit().is_some() && asked.document.mode.asking().is_some(),
         "{:?}",
         asked.view.notice
     );
@@ -203,12 +204,12 @@ fn a_plan_that_starts_elsewhere_is_kept_and_shared_as_it_is() {
 fn an_edit_leaves_the_audit_and_undo_brings_it_back() {
     let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", MEETING)]);
     let edited = reduce(&state, Action::Edit(Edit::Resize(4, 2)));
-    assert_eq!(edited.document.mode, Mode::Editing);
+    assert!(edited.document.mode.is_editing());
     assert!(edited.work.is_idle() && edited.shown().is_none());
     let back = reduce(&edited, Action::Undo);
     assert_eq!(back.document, state.document);
     let left = act(&state, AuditAction::Leave);
-    assert_eq!(left.document.mode, Mode::Editing);
+    assert!(left.document.mode.is_editing());
 }
 
 #[test]
@@ -219,7 +220,10 @@ fn a_search_that_is_stopped_keeps_what_it_knows() {
         at_least: 5,
     };
     let job = state.work.id().unwrap();
-    let state = reduce(&state, Action::Solve(SolveAction::Progress { job, event }));
+    let state = reduce(
+        &state,
+        Action::Worker(WorkerAction::Progress { job, event }),
+    );
     let sentence = "It costs 4, and every legal plan costs at least 5. So it had to break a rule.";
     assert_eq!(facts(&state).unwrap().verdict.sentence, sentence);
     let state = reduce(&state, Action::Solve(SolveAction::Cancel));
@@ -274,13 +278,13 @@ fn another_rule_judges_the_plan_again() {
         &state,
         Action::Edit(Edit::AtGoal(giveway_model::AtGoal::Vanish)),
     );
-    assert!(matches!(vanish.document.mode, Mode::Auditing(_)));
+    assert!(vanish.document.mode.audit().is_some());
     let judged = audit(&vanish);
     assert!(judged.plan.is_legal() && judged.ours.is_none());
     assert!(vanish.work.solving().is_some());
     let floor = reduce(&vanish, Action::Edit(Edit::BatteryFloor(2)));
-    assert!(matches!(floor.document.mode, Mode::Auditing(_)));
+    assert!(floor.document.mode.audit().is_some());
     // Another world is another question.
     let named = reduce(&floor, Action::Edit(Edit::Resize(9, 9)));
-    assert_eq!(named.document.mode, Mode::Editing);
+    assert!(named.document.mode.is_editing());
 }

@@ -14,7 +14,7 @@ use crate::changing::facts;
 use crate::reduce::tests::{after, stroke};
 use crate::sample::proved;
 use crate::tests::{answered, seek};
-use crate::{Action, ChangeAction, Draft, SolveAction, State, Tool, reduce};
+use crate::{Action, ChangeAction, Draft, SolveAction, State, Tool, WorkerAction, reduce};
 
 /// The scene of the example with the paper's plan, at time 1.
 fn running() -> State {
@@ -35,7 +35,7 @@ fn running() -> State {
     after(
         &state,
         [
-            Action::Solve(SolveAction::Respond { job: 1, response }),
+            Action::Worker(WorkerAction::Respond { job: 1, response }),
             seek(1),
         ],
     )

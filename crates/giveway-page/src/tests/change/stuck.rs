@@ -4,7 +4,7 @@ use super::changing;
 use crate::changing::columns;
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answer, answered, saying};
-use crate::{Action, AskAction, ChangeAction, Mode, Phase, Tab, Tool, ViewAction};
+use crate::{Action, AskAction, ChangeAction, Phase, Tab, Tool, ViewAction};
 
 #[test]
 fn where_no_method_has_a_plan_nothing_can_be_adopted_and_the_cause_is_told() {
@@ -41,7 +41,7 @@ fn where_no_method_has_a_plan_a_repair_makes_one() {
     let state = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let state = answered(&state);
     assert!(
-        matches!(state.document.mode, Mode::Stuck(..)),
+        state.document.mode.comparing().is_some() && state.document.mode.asking().is_some(),
         "{:?} {:?}",
         state.view.notice,
         state.phase()

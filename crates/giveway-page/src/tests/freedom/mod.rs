@@ -15,7 +15,7 @@ use giveway_solve::{Host, Progress, serve};
 use super::answered;
 use crate::freedom::{Column, FreedomAction, Section, column};
 use crate::reduce::tests::after;
-use crate::{Action, Draft, SolveAction, State, ViewAction};
+use crate::{Action, Draft, SolveAction, State, ViewAction, WorkerAction};
 
 /// Three robots, of which one has no choice: 3 x 1 x 5 best plans.
 const THREE: [&str; 5] = ["##......", "##......", "#...#...", "......##", "#.#....."];
@@ -91,7 +91,7 @@ fn on_the_way(state: &State, most: usize) -> Vec<Action> {
         answer: Box::new(answer),
     };
     let action = |answer| {
-        Action::Solve(SolveAction::Progress {
+        Action::Worker(WorkerAction::Progress {
             job,
             event: event(answer),
         })

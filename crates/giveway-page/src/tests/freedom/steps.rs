@@ -11,7 +11,7 @@ use crate::reduce::tests::{after, stroke};
 use crate::tests::{answer, answered, saying, select};
 use crate::{
     Action, AskAction, ChangeAction, Draft, Phase, Selection, SolveAction, State, Tool, ViewAction,
-    keys, link,
+    WorkerAction, keys, link,
 };
 
 const CANCEL: Action = Action::Solve(SolveAction::Cancel);
@@ -179,16 +179,16 @@ fn refused_or_broken_off_nothing_is_half_there() {
     let response = Box::new(Response::Refused(refusal));
     let refused = after(
         &running,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     );
     assert!(refused.view.notice.is_some());
     assert_eq!(chip(&refused), Chip::Ready);
-    let crash = SolveAction::Crash {
+    let crash = WorkerAction::Crash {
         job,
         sentence: "It broke off.".to_owned(),
         had_started: true,
     };
-    let crashed = after(&running, [Action::Solve(crash)]);
+    let crashed = after(&running, [Action::Worker(crash)]);
     assert_eq!(crashed.work.request(), None);
     assert!(told_of(&crashed).stopped.is_some());
 }

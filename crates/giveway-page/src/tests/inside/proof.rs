@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use giveway_solve::{Host, Progress, serve};
 
 use super::*;
+use crate::WorkerAction;
 use crate::inside::{Kind, chart, rows};
 use crate::keys::{Command, Key, command};
 
@@ -163,7 +164,7 @@ fn it_grows_while_the_search_goes_on_and_follows_its_end() {
     for event in events {
         state = after(
             &state,
-            [Action::Solve(SolveAction::Progress { job, event })],
+            [Action::Worker(WorkerAction::Progress { job, event })],
         );
         let (told, count) = rows(&state, &(0..100));
         assert!(
@@ -177,7 +178,7 @@ fn it_grows_while_the_search_goes_on_and_follows_its_end() {
     let live = texts(&state);
     let done = after(
         &state,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     );
     let told = texts(&done);
     assert_eq!(told[..live.len()], live, "the record is what was told live");
@@ -195,7 +196,7 @@ fn a_step_that_a_person_chose_stays_while_more_come() {
     for event in ear.0.into_inner() {
         state = after(
             &state,
-            [Action::Solve(SolveAction::Progress { job, event })],
+            [Action::Worker(WorkerAction::Progress { job, event })],
         );
         if steps(&state).is_some() {
             state = inside(&state, [InsideAction::Step(0)]);
@@ -211,7 +212,7 @@ fn what_was_cut_off_has_no_seal() {
     let response = Box::new(serve(&request, &Stopping));
     let state = after(
         &state,
-        [Action::Solve(SolveAction::Respond { job, response })],
+        [Action::Worker(WorkerAction::Respond { job, response })],
     );
     let state = inside(&state, [InsideAction::Show(true), InsideAction::Last]);
     let (told, _) = rows(&state, &(0..100));

@@ -17,7 +17,7 @@ use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, seek, select};
 use crate::{
     Action, AskAction, BoardAction, Edit, FileAction, IntakeAction, Phase, SolveAction, State,
-    Tool, ViewAction, ask, freedom, link, reduce, sample,
+    Tool, ViewAction, WorkerAction, ask, freedom, link, reduce, sample,
 };
 
 const LEAVE: Action = Action::Lesson(LessonAction::Leave);
@@ -93,7 +93,7 @@ fn a_search_goes_on_where_it_was_when_the_lesson_ends() {
         at_least: 17,
     };
     let job = solving.work.id().unwrap();
-    let told = Action::Solve(SolveAction::Progress { job, event: bound });
+    let told = Action::Worker(WorkerAction::Progress { job, event: bound });
     let lesson = opened(&opened(&after(&solving, [told]), board(1)), board(2));
     assert_eq!(lesson.own().phase(), Phase::Stopped);
     let back = after(&lesson, [LEAVE]);
@@ -216,7 +216,7 @@ fn what_a_step_does_without_is_refused_with_why() {
     }
     let moved = [
         Action::Board(BoardAction::Press(super::at(0, 0))),
-        Action::Board(BoardAction::Drag(super::at(1, 1))),
+        Action::Board(BoardAction::Drag(vec![super::at(1, 1)])),
         Action::Board(BoardAction::Release),
     ];
     let moved = after(&lesson, moved);

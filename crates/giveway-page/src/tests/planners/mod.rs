@@ -11,8 +11,8 @@ use super::{answered, page, saying};
 use crate::planners::{By, Place, Proved, Row, table};
 use crate::reduce::tests::after;
 use crate::{
-    Action, ChangeAction, Draft, Edit, Phase, SolveAction, State, ViewAction, inspect, link,
-    sample, words,
+    Action, ChangeAction, Draft, Edit, Phase, SolveAction, State, ViewAction, WorkerAction,
+    inspect, link, sample, words,
 };
 
 /// Two robots that want the middle cell at the same time.
@@ -161,7 +161,7 @@ fn a_planner_that_is_stopped_keeps_its_best_plan() {
     };
     let state = after(
         &state,
-        [Action::Solve(SolveAction::Progress { job: 1, event })],
+        [Action::Worker(WorkerAction::Progress { job: 1, event })],
     );
     assert_eq!(
         saying(&state),

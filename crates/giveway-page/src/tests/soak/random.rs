@@ -12,7 +12,7 @@ use crate::steering::Lead;
 use crate::tests::{answer, seek};
 use crate::{
     Action, AskAction, BoardAction, ChangeAction, Edit, FileAction, Fill, SolveAction, Tool,
-    ViewAction, link,
+    ViewAction, WorkerAction, link,
 };
 
 impl Session {
@@ -78,7 +78,7 @@ impl Session {
         let tool = *self.rng.choice(&Tool::ALL).unwrap();
         let mut actions = vec![BoardAction::PickTool(tool), BoardAction::Press(self.cell())];
         for _ in 0..self.rng.usize(0..4) {
-            actions.push(BoardAction::Drag(self.cell()));
+            actions.push(BoardAction::Drag(vec![self.cell()]));
         }
         match self.rng.u8(0..10) {
             0 => actions.push(BoardAction::Abandon),
@@ -146,7 +146,7 @@ impl Session {
         };
         if self.rng.u8(0..12) == 0 {
             let sentence = "It broke off.".to_owned();
-            return vec![Action::Solve(SolveAction::Crash {
+            return vec![Action::Worker(WorkerAction::Crash {
                 job,
                 sentence,
                 had_started: true,

@@ -9,7 +9,7 @@ use giveway_model::{AtGoal, Rules, assumption, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
-use crate::{Asking, Mode, State, Task, ask, audit, freedom, proof};
+use crate::{Activity, Asking, State, Task, ask, audit, freedom, proof};
 
 pub use badge::Badge;
 
@@ -76,7 +76,8 @@ pub fn standing(state: &State) -> Standing {
     if let Some(standing) = state.lesson().and_then(of_lesson) {
         return standing;
     }
-    if let Mode::Auditing(audit) = &state.document.mode
+    if let Some(audit) = state.document.mode.audit()
+        && state.document.mode.asking().is_none()
         && !state.has_gesture()
     {
         return say(audit::badge(audit), audit::sentence(audit));
@@ -94,22 +95,18 @@ pub fn standing(state: &State) -> Standing {
         let sentence = tr!("{name} starts at {at}. Now choose its goal.", name, at);
         return say(Badge::Draft, sentence);
     }
-    match &state.document.mode {
-        Mode::Changing(changing) => say(Badge::Changing, change::changing(changing)),
-        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) if comparing.preview().is_none() => {
+    match &state.document.mode.activity {
+        Activity::Changing(changing) => say(Badge::Changing, change::changing(changing)),
+        Activity::Comparing(comparing) if comparing.preview().is_none() => {
             say(Badge::Impossible, change::compared(comparing))
         }
-        Mode::Comparing(comparing) | Mode::Stuck(comparing, _) => {
+        Activity::Comparing(comparing) => {
             let count = u8::try_from(comparing.tried.len()).unwrap_or(u8::MAX);
             say(Badge::Compared(count), change::compared(comparing))
         }
-        Mode::Steering(own) | Mode::Judging(own, _) => {
-            say(Badge::Steering, steering::steering(own))
-        }
-        Mode::Auditing(audit) | Mode::Querying(audit, _) => {
-            say(audit::badge(audit), audit::sentence(audit))
-        }
-        Mode::Editing | Mode::Asking(_) => {
+        Activity::Steering(own) => say(Badge::Steering, steering::steering(own)),
+        Activity::Auditing(audit) => say(audit::badge(audit), audit::sentence(audit)),
+        Activity::Editing => {
             let mut standing = resting(state);
             let scene = state.document.draft.scene();
             let rules = state.document.answer.as_ref().map(|_| rules(scene.rules));

@@ -12,7 +12,7 @@ use crate::front::Front;
 use crate::lesson::Lesson;
 use crate::words::change;
 use crate::words::costs::values;
-use crate::{Answer, Mode, State, planners};
+use crate::{Activity, Answer, State, planners};
 
 /// Where the page stands with a scene and its plan, if it has one.
 pub(super) fn resting(state: &State) -> Standing {
@@ -107,7 +107,7 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
     if lesson.hides_conflicts() && state.audit().is_some() {
         return say(tr!("Does this plan keep the rules?").to_owned());
     }
-    if let Mode::Changing(changing) = &state.document.mode {
+    if let Activity::Changing(changing) = &state.document.mode.activity {
         return say(change::happening(changing));
     }
     let answer = state.document.fresh_answer();

@@ -11,7 +11,7 @@ use giveway_solve::{Progress, Response, Stats};
 
 use crate::reduce::tests::after;
 use crate::sample::solved;
-use crate::{Action, AskAction, SolveAction, State};
+use crate::{Action, AskAction, State, WorkerAction};
 
 fn question() -> Question {
     Question::Charge {
@@ -98,7 +98,7 @@ fn learn(state: &State) -> State {
     let run = id(state);
     after(
         state,
-        [Action::Solve(SolveAction::Progress { job: run, event })],
+        [Action::Worker(WorkerAction::Progress { job: run, event })],
     )
 }
 
@@ -116,6 +116,6 @@ fn answered(state: &State) -> State {
     let run = id(state);
     after(
         state,
-        [Action::Solve(SolveAction::Respond { job: run, response })],
+        [Action::Worker(WorkerAction::Respond { job: run, response })],
     )
 }

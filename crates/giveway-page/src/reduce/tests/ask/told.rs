@@ -9,7 +9,9 @@ use crate::ask::card;
 use crate::proof::{Proof, proof};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::solved;
-use crate::{Action, AskAction, BoardAction, Lit, Phase, Selection, SolveAction, Tool, words};
+use crate::{
+    Action, AskAction, BoardAction, Lit, Phase, Selection, SolveAction, Tool, WorkerAction, words,
+};
 
 #[test]
 fn a_question_runs_in_the_solver_and_is_said() {
@@ -67,7 +69,7 @@ fn what_comes_late_is_ignored() {
     };
     let later = after(
         &state,
-        [Action::Solve(SolveAction::Progress { job: run, event })],
+        [Action::Worker(WorkerAction::Progress { job: run, event })],
     );
     assert_eq!(later, state);
 }
@@ -109,7 +111,7 @@ fn the_proof_of_an_answer_is_checked_for_the_answer() {
     let response = Box::new(Response::Certified(Box::new(report)));
     let checked = after(
         &checking,
-        [Action::Solve(SolveAction::Respond { job: run, response })],
+        [Action::Worker(WorkerAction::Respond { job: run, response })],
     );
     assert!(matches!(proof(&checked), Some(Proof::Done(_))));
     let left = after(&checking, [Action::Ask(AskAction::Close)]);

@@ -115,7 +115,7 @@ fn a_stroke_can_be_left() {
     let actions = [
         Action::Board(BoardAction::PickTool(Tool::Select)),
         Action::Board(BoardAction::Press(Cell::new(0, 0))),
-        Action::Board(BoardAction::Drag(Cell::new(0, 2))),
+        Action::Board(BoardAction::Drag(vec![Cell::new(0, 2)])),
     ];
     let state = after(&solved(), actions);
     assert_eq!(state.world().agents()[0].start, Cell::new(0, 2));
@@ -161,7 +161,7 @@ fn the_board_stands_still_while_something_is_dragged() {
         [
             Action::View(ViewAction::Follow(true)),
             Action::Board(BoardAction::Press(Cell::new(0, 0))),
-            Action::Board(BoardAction::Drag(Cell::new(0, 1))),
+            Action::Board(BoardAction::Drag(vec![Cell::new(0, 1)])),
         ],
     );
     assert_eq!(state.selected_agent(), Some(0), "it was taken hold of");

@@ -1,4 +1,4 @@
-//! The Wasm of a worker: fetched and compiled once, for all workers.
+//! The Wasm program of workers: fetched and compiled once for all of them.
 
 use std::rc::Rc;
 
@@ -8,7 +8,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
 use web_sys::Response;
 
-use super::worker::written;
+use super::handle::written;
 use crate::held::Held;
 
 /// What a host must call Wasm for a browser to compile it while it arrives.
@@ -21,7 +21,7 @@ pub(crate) enum Name {
     Solver,
     /// All that can be asked.
     Analyst,
-    /// Reads and writes other people's files.
+    /// Reads and writes files of other programs.
     Reader,
 }
 
@@ -35,7 +35,7 @@ impl Name {
         }
     }
 
-    /// What a person reads of it: who solves and who answers is one to them.
+    /// What a person calls it: the program that answers questions is the solver, too.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Solver | Self::Analyst => tr!("solver"),

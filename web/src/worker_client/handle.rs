@@ -1,4 +1,4 @@
-//! One worker: started, listened to, ended.
+//! A worker: started, heard and ended.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -20,52 +20,52 @@ use crate::language;
 /// network may need.
 const PATIENCE_MS: u32 = 60_000;
 
-/// What is heard of a worker.
-pub(crate) enum Event {
-    /// It said something: a message in bytes.
-    Said(Vec<u8>),
+/// What a worker is heard to do.
+pub(super) enum Signal {
+    /// It posted a message, in bytes.
+    Message(Vec<u8>),
     /// It is of no more use, for this reason.
-    Broke(String),
+    Failed(String),
 }
 
 /// A worker; it is ended when this is dropped.
-pub(crate) struct Hired {
+pub(super) struct WorkerHandle {
     worker: Worker,
     is_ready: Cell<bool>,
     patience: Held<Option<Timeout>>,
-    /// Gone when this is dropped: what has not begun by then need not.
+    /// Dropped with this: a program that arrives later is not posted.
     _here: Rc<()>,
     _listening: [EventListener; 3],
 }
 
-impl Drop for Hired {
+impl Drop for WorkerHandle {
     fn drop(&mut self) {
         self.worker.terminate();
     }
 }
 
-impl Hired {
+impl WorkerHandle {
     /// Starts a worker, which runs the program as soon as that is there. It
     /// does not listen before it has said `Message::Ready`.
     ///
     /// # Errors
     /// Why the browser starts none, as a sentence.
-    pub(crate) fn start(program: Rc<Program>, hear: Rc<dyn Fn(Event)>) -> Result<Self, String> {
+    pub(super) fn start(program: Rc<Program>, hear: Rc<dyn Fn(Signal)>) -> Result<Self, String> {
         let name = program.name();
         let address = written(&format!("giveway-{}-worker", name.key()))?;
         let worker = begin(&address).map_err(|error| {
             let error = js_sys::Error::from(error).message();
             tr!("The browser allows no worker: {error}", error)
         })?;
-        let on = |kind, handle: fn(&web_sys::Event) -> Event| {
+        let on = |kind, handle: fn(&web_sys::Event) -> Signal| {
             let hear = Rc::clone(&hear);
             EventListener::new(&worker, kind, move |event| hear(handle(event)))
         };
         let listening = [
-            on("message", said),
-            on("error", broke),
+            on("message", message),
+            on("error", failed),
             on("messageerror", |_| {
-                Event::Broke(tr!("A message could not be read.").to_owned())
+                Signal::Failed(tr!("A message could not be read.").to_owned())
             }),
         ];
         let here = Rc::new(());
@@ -82,7 +82,7 @@ impl Hired {
                     worker.post_message(&module).map_err(refused)
                 });
                 if let Err(sentence) = posted {
-                    hear(Event::Broke(sentence));
+                    hear(Signal::Failed(sentence));
                 }
             }
         });
@@ -91,7 +91,7 @@ impl Hired {
                 "The {word}'s file did not arrive within a minute.",
                 word = name.word()
             );
-            hear(Event::Broke(sentence));
+            hear(Signal::Failed(sentence));
         });
         Ok(Self {
             worker,
@@ -103,12 +103,12 @@ impl Hired {
     }
 
     /// Whether it listens.
-    pub(crate) fn is_ready(&self) -> bool {
+    pub(super) fn is_ready(&self) -> bool {
         self.is_ready.get()
     }
 
     /// It said that it listens: first it hears which language is spoken.
-    pub(crate) fn set_ready(&self) {
+    pub(super) fn set_ready(&self) {
         self.is_ready.set(true);
         self.patience.set(None);
         let told = language::told();
@@ -118,27 +118,27 @@ impl Hired {
     }
 
     /// Has it speak a language from now on.
-    pub(crate) fn speak(&self, told: &str) {
+    pub(super) fn speak(&self, told: &str) {
         let _ = self.worker.post_message(&JsValue::from_str(told));
     }
 
     /// Posts bytes, which cannot fail.
-    pub(crate) fn post(&self, bytes: &[u8]) {
+    pub(super) fn post(&self, bytes: &[u8]) {
         let _ = self.worker.post_message(&Uint8Array::from(bytes));
     }
 }
 
-fn said(event: &web_sys::Event) -> Event {
+fn message(event: &web_sys::Event) -> Signal {
     let data = event.dyn_ref().map(MessageEvent::data);
     let bytes = data.and_then(|data| data.dyn_ref().map(Uint8Array::to_vec));
-    Event::Said(bytes.unwrap_or_default())
+    Signal::Message(bytes.unwrap_or_default())
 }
 
-fn broke(event: &web_sys::Event) -> Event {
-    // The page tells it itself; the console need not.
+fn failed(event: &web_sys::Event) -> Signal {
+    // The page shows it, so the console need not.
     event.prevent_default();
-    let message = event.dyn_ref().map(ErrorEvent::message);
-    Event::Broke(match message.unwrap_or_default().as_str() {
+    let reason = event.dyn_ref().map(ErrorEvent::message);
+    Signal::Failed(match reason.unwrap_or_default().as_str() {
         "" => tr!("The browser gave no reason.").to_owned(),
         message => tr!("The browser says: {message}", message),
     })
