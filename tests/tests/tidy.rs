@@ -269,6 +269,7 @@ mod layers {
         // seconds only.
         let places = [
             "crates/giveway-solve/src/budget.rs",
+            "crates/giveway-solve/src/budget/tell.rs",
             "crates/giveway-solve/src/host.rs",
             "crates/giveway-solve/src/verify.rs",
             "crates/giveway-solve/src/certify.rs",
