@@ -16,7 +16,7 @@ use super::{
     causes::Refuted,
     group::{Group, Variant, groups, without},
 };
-use crate::search::Reach;
+use crate::search::Proved;
 use giveway_model::sorting::sort_by_key;
 
 /// The latest plans of other variants that are tried before any search.
@@ -26,7 +26,7 @@ const KNOWN: usize = 12;
 #[derive(Clone, Debug)]
 pub(crate) enum Tried {
     /// There is no plan: how far that reaches, and of which agents it is known.
-    None { reach: Reach, clash: Vec<String> },
+    None { reach: Proved, clash: Vec<String> },
     /// There is one.
     Plan(Plan),
     /// The budget ran out.
@@ -50,7 +50,7 @@ pub(crate) struct CoreFound {
     /// Whether each of them was shown to be needed in the set.
     pub(crate) minimal: bool,
     /// How far they exclude one.
-    pub(crate) reach: Reach,
+    pub(crate) reach: Proved,
     /// Which of them help when they alone are left out, as far as was tried.
     pub(crate) helps: BTreeMap<Group, Helps>,
     /// Further sets.
@@ -68,8 +68,7 @@ impl CoreFound {
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
-            complete: self.reach.is_complete(),
-            within: self.reach.within(),
+            reach: self.reach.into(),
             further: further.map(|core| core.core(instance, within)).collect(),
         }
     }
@@ -126,7 +125,7 @@ struct Shrinking<'a> {
     /// Plans that some variant had.
     plans: Vec<Plan>,
     /// How far the last refutation reaches.
-    reach: Reach,
+    reach: Proved,
 }
 
 impl<'a> Shrinking<'a> {
