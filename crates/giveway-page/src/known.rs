@@ -12,7 +12,8 @@ pub(crate) fn merged(
     after: SolveAnswer,
     objective: &Objective,
 ) -> SolveAnswer {
-    if matches!(after.status, Status::Optimal | Status::Impossible) || before.within != after.within
+    if matches!(after.status, Status::Optimal | Status::Impossible)
+        || before.reach.within() != after.reach.within()
     {
         return after;
     }
@@ -49,7 +50,7 @@ pub(crate) fn judged(
     };
     if own != found || solved.status != Status::Optimal {
         judged.status = Status::Feasible;
-        judged.complete = false;
+        judged.reach = judged.reach.of_bounds();
     }
     if found < own && found.is_some() {
         judged.reason = Some(tr!("There is a better plan").to_owned());

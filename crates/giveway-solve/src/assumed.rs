@@ -13,7 +13,7 @@ use giveway_model::{
     Assumption, Costs, Fault, Instance, Objective, Plan, Scene, assumption, check::check, tr,
 };
 
-use crate::{Ended, FrontAnswer, Refusal, SolveAnswer, Status};
+use crate::{Ended, FrontAnswer, Reach, Refusal, SolveAnswer, Status};
 
 /// Whether a scene has an obstacle that moves.
 fn has_moving(assumptions: &[Assumption]) -> bool {
@@ -196,7 +196,7 @@ pub(crate) fn weaken_front(
     if has_unknown(assumptions) || has_left_out || has_other_goals {
         answer.status = weaker(answer.status);
         answer.ended = Some(Ended::Assumptions);
-        (answer.complete, answer.within) = (false, None);
+        answer.reach = Reach::default();
         for point in &mut answer.front {
             weaken((instance, objective), None, point);
             if has_left_out {
@@ -218,14 +218,14 @@ const fn weaker(status: Status) -> Status {
 fn end(answer: &mut SolveAnswer, reason: String) {
     answer.ended = Some(Ended::Assumptions);
     answer.reason = Some(reason);
-    answer.complete = false;
+    answer.reach = answer.reach.of_bounds();
 }
 
 /// Leaves the plan alone of an answer, where a key of unknown meaning may change anything.
 fn claim_nothing(instance: &Instance, answer: &mut SolveAnswer) {
     answer.status = weaker(answer.status);
     answer.bounds.clear();
-    answer.within = None;
+    answer.reach = Reach::default();
     end(answer, unknown(instance));
 }
 

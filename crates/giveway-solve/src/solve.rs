@@ -11,9 +11,9 @@ use crate::{
     Ended, Host, Limits, Progress, SolveAnswer, Status,
     budget::Budget,
     calmed::calmed,
-    judged::{Judged, told},
+    judged::Judged,
     problem::{Problem, ProblemError},
-    search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
+    search::{self, Aim, Bounded, Contact, Horizon, Proved, Verdict},
     trace::{Cannot, Recorder, SearchEvent, Stopped},
     walk::{Walk, of_plan, to_plan},
 };
@@ -78,12 +78,12 @@ fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
             let known = task.objective.costs().iter();
             SearchEvent::Met {
                 costs: sorting::map(known.map(|&cost| (cost, costs.get(cost)))),
-                within: answer.within,
+                within: answer.reach.within(),
             }
         }
         Status::Impossible => SearchEvent::Impossible(Cannot {
             agents: clash.clone(),
-            within: answer.within,
+            within: answer.reach.within(),
         }),
         Status::Feasible | Status::Unknown => SearchEvent::Stopped(Stopped {
             reason: answer.reason.clone().unwrap_or_default(),
@@ -135,7 +135,7 @@ fn tell_alone(task: &Task, problem: &Problem) {
 /// An answer, with how far its claim reaches.
 pub(crate) struct Solved {
     pub(crate) answer: SolveAnswer,
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
     /// Agents that cannot all arrive, where there is no plan.
     clash: Vec<String>,
 }
@@ -186,7 +186,7 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
     let (status, reach, ended, reason) = match *error {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
-            Some(Reach::ForEver(reason.into())),
+            Some(Proved::ForEver(reason.into())),
             Ended::Proof,
             tr!("{name} cannot do its task, even alone.", name = name(i)),
         ),
@@ -228,7 +228,6 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         passes.then(|| calmed(task, problem, &walks, (plan, costs), is_proved))
     });
     let (status, reach) = (judged.status, judged.reach);
-    let (complete, within) = told(reach);
     let clash: Vec<&str> = verdict
         .clash
         .iter()
@@ -246,8 +245,7 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         status,
         costs,
         bounds: verdict.bounds,
-        within,
-        complete,
+        reach: reach.into(),
         ended: Some(Ended::by(judged.stop)),
         reason,
         plan,

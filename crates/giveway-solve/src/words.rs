@@ -7,7 +7,7 @@ use std::fmt;
 use giveway_model::words::{name, retold, sentence, value, values};
 use giveway_model::{Assumption, Cost, Costs, Objective, tr, tr_later};
 
-use crate::{Ended, SolveAnswer, Status};
+use crate::{Ended, Reach, SolveAnswer, Status};
 
 /// An answer in one sentence. It begins with a word that may be made bold.
 ///
@@ -37,7 +37,7 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
         .reason
         .as_deref()
         .map(|given| sentence(&reason(given)));
-    let within = answer.within.filter(|_| !answer.complete);
+    let within = answer.reach.within();
     let costs = answer.costs.unwrap_or_default();
     let say = |word: &str, rest: String| Headline {
         word: word.to_owned(),
@@ -180,7 +180,7 @@ pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
 
 /// What is claimed of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {
-    let within = answer.within.filter(|_| !answer.complete);
+    let within = answer.reach.within();
     match (answer.status, within) {
         (Status::Optimal, None) => {
             tr!("No plan is better, no matter how many steps you allow.").to_owned()
@@ -219,7 +219,8 @@ pub fn may_differ(ended: Option<Ended>) -> bool {
 pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
     let early = matches!(answer.status, Status::Feasible | Status::Unknown);
     let within = answer
-        .within
+        .reach
+        .within()
         .filter(|_| early && !answer.bounds.is_empty())?;
     Some(tr!(
         "What is proved holds for plans of makespan at most {within}.",
@@ -228,8 +229,8 @@ pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
 }
 
 /// How far the answer to a question reaches; nothing where nothing is claimed.
-pub fn reach(complete: bool, within: Option<u32>) -> Option<String> {
-    match (complete, within) {
+pub fn reach(reach: Reach) -> Option<String> {
+    match (reach.is_complete(), reach.within()) {
         (true, _) => Some(tr!("This holds no matter how many steps you allow.").to_owned()),
         (false, Some(n)) => Some(tr!("This holds for plans of makespan at most {n}.", n)),
         (false, None) => None,

@@ -69,8 +69,8 @@ fn solved(task: &Task, answer: &SolveAnswer) -> Row {
         Status::Unknown => RowStatus::Unknown,
     };
     Row {
-        complete: answer.complete,
-        within: answer.within,
+        complete: answer.reach.is_complete(),
+        within: answer.reach.within(),
         costs: answer.costs,
         bounds: answer.bounds.clone(),
         ..Row::bare(task, status, answer.reason.clone())
@@ -79,7 +79,7 @@ fn solved(task: &Task, answer: &SolveAnswer) -> Row {
 
 fn planned(task: &Task, answer: &PlanAnswer) -> Row {
     let (status, within) = match &answer.ended {
-        PlanEnd::Best { within } => (RowStatus::Optimal, *within),
+        PlanEnd::Best { reach } => (RowStatus::Optimal, reach.within()),
         PlanEnd::Refused { .. } => (RowStatus::Refused, None),
         PlanEnd::Alone { .. } => (RowStatus::Impossible, None),
         _ if answer.plan.is_some() => (RowStatus::Feasible, None),

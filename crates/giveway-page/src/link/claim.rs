@@ -3,6 +3,7 @@
 
 use giveway_model::{Cost, sorting};
 use giveway_solve::{Ended, SolveAnswer, Status};
+use serde_json::json;
 
 use super::text::{escape, numbers, unescape};
 
@@ -31,8 +32,8 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
     let count = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
     let mut parts = vec![
         status.unwrap_or(1) as u32,
-        u32::from(solved.complete),
-        plus_one(solved.within),
+        u32::from(solved.reach.is_complete()),
+        plus_one(solved.reach.within()),
     ];
     let bounds = Cost::ALL.map(|cost| plus_one(solved.bounds.get(&cost).copied()));
     parts.extend(bounds);
@@ -64,9 +65,10 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
         return None;
     }
     let reason = unescape(reason)?;
+    let reach = json!({ "complete": *complete == 1, "within": within.checked_sub(1) });
+    let reach = serde_json::from_value(reach).ok()?;
     solved.status = status;
-    solved.complete = *complete == 1;
-    solved.within = within.checked_sub(1);
+    solved.reach = reach;
     let bounds = Cost::ALL.into_iter().zip(bounds);
     let bounds = bounds.filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)));
     solved.bounds = sorting::map(bounds);

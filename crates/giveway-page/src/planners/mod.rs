@@ -123,23 +123,27 @@ impl Runs {
 /// bounds alone.
 pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
     let plan = told.plan.clone()?;
-    let is_best =
-        told.objective.costs().len() == 1 && matches!(told.ended, PlanEnd::Best { within: None });
+    let is_single = told.objective.costs().len() == 1;
+    let best = match told.ended {
+        PlanEnd::Best { reach } if is_single && reach.is_complete() => Some(reach),
+        _ => None,
+    };
     Some(SolveAnswer {
         giveway: told.giveway,
-        status: if is_best {
+        status: if best.is_some() {
             Status::Optimal
         } else {
             Status::Feasible
         },
         costs: told.costs,
         bounds: told.bounds.clone(),
-        within: None,
-        complete: is_best,
+        reach: best.unwrap_or_default(),
         ended: None,
         reason: match &told.ended {
             PlanEnd::Stopped { reason } => Some(reason.clone()),
-            PlanEnd::Best { within: Some(_) } => told_words::notes(told).into_iter().next(),
+            PlanEnd::Best { reach } if !reach.is_complete() => {
+                told_words::notes(told).into_iter().next()
+            }
             _ => None,
         },
         plan: Some(plan),

@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Objective, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{Stats, Status};
+use crate::{Reach, Stats, Status};
 
 /// What is known of a plan in the end.
 #[derive(
@@ -43,11 +43,9 @@ pub struct AuditAnswer {
     /// of a later one.
     #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
-    /// The makespan up to which the bounds, and what is claimed with them, were
-    /// proved; `null` where they hold whatever the horizon.
-    pub within: Option<u32>,
-    /// Whether they hold whatever the horizon.
-    pub complete: bool,
+    /// How far the bounds, and what is claimed with them, reach.
+    #[serde(flatten)]
+    pub reach: Reach,
     /// What is known of the plan.
     pub status: AuditStatus,
     /// How far a legal plan may be from the best: its first cost beyond the bound, as

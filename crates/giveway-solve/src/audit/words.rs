@@ -202,8 +202,8 @@ pub fn notes(answer: &AuditAnswer) -> Vec<String> {
             });
         }
         (None, false) if answer.search == Status::Impossible => {
-            notes.push(match answer.within {
-                Some(n) if !answer.complete => {
+            notes.push(match answer.reach.within() {
+                Some(n) => {
                     tr!("There is no legal plan, within makespan {n}.", n)
                 }
                 _ => tr!("There is no legal plan, no matter how many steps you allow.").to_owned(),
@@ -240,8 +240,8 @@ fn reach(answer: &AuditAnswer) -> String {
 
 /// Among which plans, where not all: ` of makespan at most 40`.
 fn among(answer: &AuditAnswer) -> String {
-    match answer.within {
-        Some(within) if !answer.complete => tr!(" of makespan at most {within}", within),
+    match answer.reach.within() {
+        Some(within) => tr!(" of makespan at most {within}", within),
         _ => String::new(),
     }
 }

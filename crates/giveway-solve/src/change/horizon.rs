@@ -4,7 +4,7 @@
 use giveway_model::{Cost, tr};
 
 use super::MethodAnswer;
-use crate::Status;
+use crate::{Status, search::Proved};
 
 /// The answer with nothing claimed, and no plan, beyond a makespan.
 pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAnswer {
@@ -19,8 +19,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
         } else {
             Status::Unknown
         };
-        result.complete = false;
-        result.within = proved.then_some(within);
+        result.reach = proved.then_some(Proved::Within(within)).into();
         result.reason = Some(tr!("What has already happened takes longer than that.").to_owned());
         (result.plan, result.costs) = (None, None);
         for names in [
@@ -38,7 +37,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
     }
     // The search had no steps left at all: that shows nothing beyond what was asked.
     let capped = |shown: Option<u32>| shown.map(|shown| shown.min(within));
-    result.within = capped(result.within);
+    result.reach = result.reach.up_to(within);
     answer.fewest_within = capped(answer.fewest_within);
     if let Some(cause) = &mut answer.cause {
         cause.within = capped(cause.within);

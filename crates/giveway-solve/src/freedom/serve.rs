@@ -87,8 +87,7 @@ fn begun(task: &Task, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
         slack: None,
         critical: None,
         pending: Vec::new(),
-        complete: best.complete,
-        within: best.within,
+        reach: best.reach,
         reason: best.reason.clone(),
         stats: task.budget.stats(),
     }

@@ -7,6 +7,7 @@ use giveway_model::{Cost, Costs, Objective, Plan, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{PlanTrace, Planner};
+use crate::{Reach, reach::within_alone};
 
 /// The answer to a request for a plan.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -41,8 +42,9 @@ pub struct PlanAnswer {
 pub enum PlanEnd {
     /// No plan has less of the first cost.
     Best {
-        /// The makespan up to which that holds; `null` where it holds for all plans.
-        within: Option<u32>,
+        /// How far that reaches; in JSON `within` alone.
+        #[serde(rename = "within", with = "within_alone")]
+        reach: Reach,
     },
     /// With a plan; there may be better ones.
     Found,

@@ -165,7 +165,7 @@ fn stopped(stop: Stop) -> PlanEnd {
 fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
     match outcome {
         Outcome::Best { proved, .. } => PlanEnd::Best {
-            within: proved.within(),
+            reach: (*proved).into(),
         },
         Outcome::Found { .. } => PlanEnd::Found,
         Outcome::NoOrderWorks { tried, stuck } => PlanEnd::NoOrderWorks {

@@ -4,7 +4,7 @@ use giveway_model::{Cost, format::native};
 use serde_json::{Value, json};
 
 use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner, Went, words};
-use crate::{Host, Limits, Progress, Refusal, Request, Response, SilentHost, serve};
+use crate::{Host, Limits, Progress, Reach, Refusal, Request, Response, SilentHost, serve};
 
 const CROSSING: &str = r##"{
     "giveway": 1,
@@ -50,7 +50,12 @@ fn said(answer: &PlanAnswer) -> String {
 #[test]
 fn cbs_is_best_in_the_first_cost() {
     let answer = planned(request(CROSSING, Planner::Cbs));
-    assert_eq!(answer.ended, PlanEnd::Best { within: None });
+    assert_eq!(
+        answer.ended,
+        PlanEnd::Best {
+            reach: Reach::unproved(None)
+        }
+    );
     assert_eq!(answer.bounds.get(&Cost::SumOfCosts), Some(&5));
     assert_eq!(answer.costs.unwrap().sum_of_costs, 5);
     assert!(answer.plan.is_some() && answer.trace.is_none());

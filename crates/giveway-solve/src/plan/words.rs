@@ -77,19 +77,19 @@ pub fn notes(answer: &PlanAnswer) -> Vec<String> {
     let first = answer.objective.costs().first();
     let mut notes = Vec::new();
     match (&answer.ended, first) {
-        (PlanEnd::Best { within: None }, Some(&cost)) => {
-            notes.push(tr!(
-                "No plan has a smaller {cost}, no matter how many steps you allow.",
-                cost = name(cost)
-            ));
-        }
-        (PlanEnd::Best { within: Some(n) }, Some(&cost)) => {
+        (PlanEnd::Best { reach }, Some(&cost)) => {
             let cost = name(cost);
-            notes.push(tr!(
-                "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",
-                n,
-                cost
-            ));
+            notes.push(match reach.within() {
+                None => tr!(
+                    "No plan has a smaller {cost}, no matter how many steps you allow.",
+                    cost
+                ),
+                Some(n) => tr!(
+                    "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",
+                    n,
+                    cost
+                ),
+            });
         }
         (PlanEnd::Found, _) => notes.push(tr!("There may be better plans.").to_owned()),
         (PlanEnd::NoOrderWorks { .. }, _) => {

@@ -39,7 +39,7 @@ fn known(answer: &FreedomAnswer) -> String {
         let _ = writeln!(text, "{about}");
     }
     if answer.plan.is_some()
-        && let Some(reach) = reach(answer.complete, answer.within)
+        && let Some(reach) = reach(answer.reach)
     {
         let _ = writeln!(text, "{reach}");
     }

@@ -98,7 +98,7 @@ mod tests {
     use giveway_model::Version;
 
     use super::*;
-    use crate::output::text::unpainted;
+    use crate::output::text::{reach_of, unpainted};
 
     fn answer(status: Status, within: Option<u32>, reason: Option<&str>) -> SolveAnswer {
         SolveAnswer {
@@ -112,8 +112,7 @@ mod tests {
                 waits: 1,
             }),
             bounds: BTreeMap::from([(Cost::Makespan, 22)]),
-            within,
-            complete: within.is_none(),
+            reach: reach_of(within),
             ended: None,
             reason: reason.map(str::to_owned),
             plan: None,

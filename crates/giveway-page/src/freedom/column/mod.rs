@@ -103,7 +103,7 @@ pub fn column(state: &State) -> Option<Column> {
         other: (!is_alone).then(|| missing().or(other)),
         reach: told
             .filter(|told| told.backbone.is_some())
-            .and_then(|told| reach(told.complete, told.within)),
+            .and_then(|told| reach(told.reach)),
     })
 }
 

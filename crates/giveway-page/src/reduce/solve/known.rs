@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Version, check};
 use giveway_solve::trace::SearchTrace;
-use giveway_solve::{Ended, Progress, SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, Progress, Reach, SolveAnswer, Stats, Status};
 
 use crate::Solving;
 
@@ -69,8 +69,7 @@ impl Solving {
             },
             costs: self.best.filter(|_| plan.is_some()),
             bounds: self.bounds.clone(),
-            within: self.request.within,
-            complete: false,
+            reach: Reach::of_bounds_so_far(&self.request),
             ended: None,
             reason: None,
             plan: plan.cloned(),

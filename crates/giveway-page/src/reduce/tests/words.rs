@@ -5,7 +5,7 @@ use giveway_solve::{Progress, Response, SolveAnswer, Status};
 
 use super::solve::respond;
 use super::{after, edit, fresh};
-use crate::sample::solved;
+use crate::sample::{reach, solved};
 use crate::words::{Badge, standing};
 use crate::{Action, Draft, SolveAction, State, WorkerAction};
 
@@ -59,7 +59,7 @@ fn with_a_plan() {
     let bounded = answered(|answer| {
         answer.status = Status::Optimal;
         answer.costs = Some(COSTS);
-        answer.within = Some(40);
+        answer.reach = reach(Some(40));
     });
     let sentence = "Optimal within makespan 40: makespan 20, sum of costs 40, 1 charge.";
     check(&bounded, Badge::Proved, sentence);
@@ -123,8 +123,7 @@ fn without_a_plan() {
     let none = |within, reason: Option<&str>| {
         answered(|answer| {
             answer.status = Status::Impossible;
-            answer.within = within;
-            answer.complete = within.is_none();
+            answer.reach = reach(within);
             answer.reason = reason.map(str::to_owned);
         })
     };

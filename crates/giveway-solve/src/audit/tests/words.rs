@@ -6,7 +6,7 @@ use giveway_model::{Cost, Costs, Objective, Plan, Version};
 
 use crate::audit::words::{headline, notes};
 use crate::audit::{AuditAnswer, AuditStatus, gap};
-use crate::{Stats, Status};
+use crate::{Reach, Stats, Status};
 
 fn costs(makespan: u32, sum_of_costs: u32) -> Costs {
     Costs {
@@ -29,8 +29,7 @@ fn answer(status: AuditStatus, bounds: &[(Cost, u32)], better: Option<Costs>) ->
         objective,
         costs: Some(own),
         bounds,
-        within: None,
-        complete: true,
+        reach: Reach::unproved(None),
         status,
         better: better.map(|_| Plan::default()),
         better_costs: better,
@@ -58,7 +57,7 @@ fn a_legal_plan_is_at_most_so_far_from_the_best() {
          The time limit was reached.",
     );
     one.reason = None;
-    (one.complete, one.within) = (false, Some(40));
+    one.reach = Reach::unproved(Some(40));
     says(
         &one,
         "At most 1.2 % above the best: its sum of costs is 85, and no plan of makespan at most \
@@ -112,7 +111,7 @@ fn the_best_plan_is_proved_to_be_it() {
     let both = [(Cost::SumOfCosts, 85), (Cost::Makespan, 12)];
     let mut one = answer(AuditStatus::Optimal, &both, None);
     says(&one, "The best: proved.");
-    (one.complete, one.within) = (false, Some(40));
+    one.reach = Reach::unproved(Some(40));
     says(
         &one,
         "The best: proved, among plans of makespan at most 40.",

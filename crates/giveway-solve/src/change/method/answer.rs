@@ -9,7 +9,7 @@ use super::{
     judged::{disturb_few, judged},
 };
 use crate::{
-    Ended, SolveAnswer, Status,
+    Ended, Reach, SolveAnswer, Status,
     budget::Stop,
     change::{
         Cause, Method, MethodAnswer,
@@ -17,8 +17,8 @@ use crate::{
         freed::{Case, Trouble},
         words,
     },
-    judged::{Judged, told},
-    search::{Aim, Reach},
+    judged::Judged,
+    search::{Aim, Proved},
     walk::Walk,
 };
 
@@ -37,7 +37,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 within: None,
                 text: text.clone(),
             };
-            let reach = Reach::ForEver(reason);
+            let reach = Proved::ForEver(reason);
             (
                 Status::Impossible,
                 Some(reach),
@@ -101,11 +101,10 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let Judged {
         plan, status, stop, ..
     } = judged;
-    let (complete, within) = told(judged.reach);
-    let within = within.map(|within| case.snapshot.at.saturating_add(within));
+    let reach = Reach::from(judged.reach).later(case.snapshot.at);
     let clash = &found.verdict.clash;
     let cause = match status {
-        Status::Impossible => Some(blocked(case, clash, within)),
+        Status::Impossible => Some(blocked(case, clash, reach.within())),
         _ => found.cause.clone(),
     };
     let reason = match (stop, &cause) {
@@ -128,8 +127,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
             status,
             costs,
             bounds,
-            within,
-            complete,
+            reach,
             ended: Some(Ended::by(stop)),
             reason,
             plan,

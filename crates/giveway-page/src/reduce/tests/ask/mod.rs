@@ -10,8 +10,13 @@ use giveway_solve::explain::{Edit, ExplainAnswer, Part, Repair, Verdict};
 use giveway_solve::{Progress, Response, Stats};
 
 use crate::reduce::tests::after;
+<<<<<<< HEAD
 use crate::sample::solved;
 use crate::{Action, AskAction, State, WorkerAction};
+=======
+use crate::sample::{reach, solved};
+use crate::{Action, AskAction, SolveAction, State};
+>>>>>>> w2
 
 fn question() -> Question {
     Question::Charge {
@@ -73,8 +78,7 @@ fn told(state: &State) -> ExplainAnswer {
             (Cost::SumOfCosts, 0),
             (Cost::Charges, 1),
         ]),
-        within: None,
-        complete: true,
+        reach: reach(None),
         alternative: Some(plan),
         closest: false,
         witness: Vec::new(),
