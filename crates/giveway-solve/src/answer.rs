@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{Ended, Reach, search::Proved, trace::SearchTrace};
+use crate::{Ended, Reach, Reason, search::Proved, trace::SearchTrace};
 
 /// What is known at the end. Running out is never "no solution".
 #[derive(
@@ -63,9 +63,10 @@ pub struct SolveAnswer {
     /// What ended the search; left out where none was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
-    /// Why there is no plan or no proof, as a sentence; `null` otherwise.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Why there is no plan or no proof; nothing otherwise, and in an answer that was read
+    /// from JSON.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// The plan.
     pub plan: Option<Plan>,
     /// How much work it took.
@@ -80,7 +81,7 @@ impl SolveAnswer {
     pub(crate) fn without_plan(
         status: Status,
         reach: Option<Proved>,
-        (ended, reason): (Ended, String),
+        (ended, reason): (Ended, Reason),
         stats: Stats,
     ) -> Self {
         Self {
@@ -99,14 +100,14 @@ impl SolveAnswer {
 }
 
 /// The answer to a request for a Pareto front.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct FrontAnswer {
     /// The format's version.
     pub giveway: Version,
     /// What is known of the front as a whole.
     pub status: Status,
     /// What ended the search for its points; left out where none was made.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
     /// How far the claim reaches.
     #[serde(flatten)]

@@ -2,7 +2,7 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_planners::cbs;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::{SolveRequest, search::Proved};
 
@@ -150,28 +150,12 @@ impl TryFrom<Written> for Reach {
     }
 }
 
-/// A reach of which only the makespan is written, where something is claimed in any case;
-/// `null` is every horizon.
-pub(crate) mod within_alone {
-    use serde::{Deserialize, Deserializer, Serialize, Serializer};
-
-    use super::{Claimed, Reach};
-
-    /// Writes the makespan.
-    ///
-    /// # Errors
-    /// Those of the serializer.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature of serde")]
-    pub(crate) fn serialize<S: Serializer>(reach: &Reach, to: S) -> Result<S::Ok, S::Error> {
-        reach.within().serialize(to)
-    }
-
-    /// Reads it.
-    ///
-    /// # Errors
-    /// Where there is neither a makespan nor `null`.
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Reach, D::Error> {
-        let within = Option::deserialize(from)?;
-        Ok(Reach(within.map_or(Claimed::EveryHorizon, Claimed::Within)))
-    }
+/// Writes the makespan alone, where something is claimed in any case; `null` is every
+/// horizon.
+///
+/// # Errors
+/// Those of the serializer.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature of serde")]
+pub(crate) fn within_alone<S: Serializer>(reach: &Reach, to: S) -> Result<S::Ok, S::Error> {
+    Serialize::serialize(&reach.within(), to)
 }

@@ -3,12 +3,10 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting, tr, words,
-};
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting};
 
 use crate::{
-    Ended, Host, Limits, Progress, SolveAnswer, Status,
+    Ended, Host, Limits, Progress, Reason, SolveAnswer, Status,
     budget::Budget,
     calmed::calmed,
     judged::Judged,
@@ -86,7 +84,7 @@ fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
             within: answer.reach.within(),
         }),
         Status::Feasible | Status::Unknown => SearchEvent::Stopped(Stopped {
-            reason: answer.reason.clone().unwrap_or_default(),
+            reason: answer.reason.clone(),
             costs: answer.costs,
             bounds: answer.bounds.clone(),
         }),
@@ -188,21 +186,19 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
             Status::Impossible,
             Some(Proved::ForEver(reason.into())),
             Ended::Proof,
-            tr!("{name} cannot do its task, even alone.", name = name(i)),
+            Reason::Alone {
+                agent: name(i).to_owned(),
+            },
         ),
         ProblemError::TooManyWaypoints(i) => (
             Status::Unknown,
             None,
             Ended::Size,
-            tr!(
-                "{name} has more waypoints than can be planned for.",
-                name = name(i)
-            ),
+            Reason::ManyWaypoints {
+                agent: name(i).to_owned(),
+            },
         ),
-        ProblemError::Stopped(stop) => {
-            let reason = stop.sentence().to_owned();
-            (Status::Unknown, None, stop.into(), reason)
-        }
+        ProblemError::Stopped(stop) => (Status::Unknown, None, stop.into(), stop.into()),
     };
     let clash = match *error {
         ProblemError::Alone(agent, _) => vec![name(agent).to_owned()],
@@ -228,17 +224,12 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         passes.then(|| calmed(task, problem, &walks, (plan, costs), is_proved))
     });
     let (status, reach) = (judged.status, judged.reach);
-    let clash: Vec<&str> = verdict
-        .clash
-        .iter()
-        .filter_map(|&i| names.get(i))
-        .map(String::as_str)
-        .collect();
-    let reason = judged
-        .stop
-        .map(|stop| stop.sentence().to_owned())
-        .or_else(|| (status == Status::Impossible).then(|| clash_sentence(&clash)));
-    let clash = clash.into_iter().map(str::to_owned).collect();
+    let clash = verdict.clash.iter().filter_map(|&i| names.get(i));
+    let clash: Vec<String> = clash.cloned().collect();
+    let reason = judged.stop.map(Reason::from).or_else(|| {
+        let agents = clash.clone();
+        (status == Status::Impossible).then_some(Reason::Clash { agents })
+    });
     let (plan, costs) = judged.plan.unzip();
     let answer = SolveAnswer {
         giveway: Version,
@@ -256,15 +247,5 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         answer,
         reach,
         clash,
-    }
-}
-
-/// Whom it concerns; the claim itself says at which horizon it holds.
-pub(crate) fn clash_sentence(agents: &[&str]) -> String {
-    match agents {
-        [] => tr!("The robots cannot all arrive.").to_owned(),
-        [one] => tr!("{one} cannot arrive.", one),
-        [one, two] => tr!("{one} and {two} cannot both arrive.", one, two),
-        names => tr!("{robots} cannot all arrive.", robots = words::and(names)),
     }
 }

@@ -2,6 +2,7 @@
 
 use giveway_model::Instance;
 use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanRequest};
+use giveway_solve::words::reason;
 use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, serve};
 
 use crate::certificate::certify;
@@ -73,7 +74,7 @@ fn solved(task: &Task, answer: &SolveAnswer) -> Row {
         within: answer.reach.within(),
         costs: answer.costs,
         bounds: answer.bounds.clone(),
-        ..Row::bare(task, status, answer.reason.clone())
+        ..Row::bare(task, status, answer.reason.as_ref().map(reason))
     }
 }
 

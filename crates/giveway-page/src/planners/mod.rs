@@ -6,8 +6,8 @@ mod words;
 
 use std::rc::Rc;
 
-use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanStats, Planner, words as told_words};
-use giveway_solve::{SolveAnswer, Stats, Status};
+use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanStats, Planner};
+use giveway_solve::{Reach, Reason, SolveAnswer, Stats, Status};
 
 use crate::{Answer, Document, Draft};
 
@@ -141,10 +141,12 @@ pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
         ended: None,
         reason: match &told.ended {
             PlanEnd::Stopped { reason } => Some(reason.clone()),
-            PlanEnd::Best { reach } if !reach.is_complete() => {
-                told_words::notes(told).into_iter().next()
-            }
-            _ => None,
+            PlanEnd::Best { reach } => least_within(told, *reach),
+            PlanEnd::Found
+            | PlanEnd::NoOrderWorks { .. }
+            | PlanEnd::Horizon { .. }
+            | PlanEnd::Refused { .. }
+            | PlanEnd::Alone { .. } => None,
         },
         plan: Some(plan),
         stats: Stats {
@@ -153,4 +155,10 @@ pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
         },
         trace: None,
     })
+}
+
+/// That no plan up to a makespan has less of the first cost.
+fn least_within(told: &PlanAnswer, reach: Reach) -> Option<Reason> {
+    let (&cost, within) = (told.objective.costs().first()?, reach.within()?);
+    Some(Reason::LeastWithin { cost, within })
 }

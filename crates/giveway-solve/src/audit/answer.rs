@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Objective, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{Reach, Stats, Status};
+use crate::{Reach, Reason, Stats, Status};
 
 /// What is known of a plan in the end.
 #[derive(
@@ -25,7 +25,7 @@ pub enum AuditStatus {
 }
 
 /// The answer to an audit request.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct AuditAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -60,9 +60,9 @@ pub struct AuditAnswer {
     /// What is known of the best plan: `optimal` where `better`, or else the audited
     /// plan, is proved to be it; `impossible` where there is no legal plan at all.
     pub search: Status,
-    /// Why something is not known, or why there is no legal plan, as a sentence.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Why something is not known, or why there is no legal plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// How much work it took.
     pub stats: Stats,
 }

@@ -5,7 +5,7 @@ use giveway_model::{Assumption, Cost, Costs, assumption::left_out, tr};
 
 use super::{AuditAnswer, AuditStatus};
 use crate::Status;
-use crate::words::Headline;
+use crate::words::{Headline, reason};
 
 /// How far a cost is above the best one, in percent with one decimal.
 ///
@@ -211,7 +211,7 @@ pub fn notes(answer: &AuditAnswer) -> Vec<String> {
         }
         _ => {}
     }
-    notes.extend(answer.reason.as_deref().map(sentence));
+    notes.extend(answer.reason.as_ref().map(|given| sentence(&reason(given))));
     notes
 }
 

@@ -1,10 +1,10 @@
 //! The horizon that a person set, which may lie before the time of a change: what
 //! is past then cannot be any sooner.
 
-use giveway_model::{Cost, tr};
+use giveway_model::Cost;
 
 use super::MethodAnswer;
-use crate::{Status, search::Proved};
+use crate::{Reason, Status, search::Proved};
 
 /// The answer with nothing claimed, and no plan, beyond a makespan.
 pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAnswer {
@@ -20,7 +20,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
             Status::Unknown
         };
         result.reach = proved.then_some(Proved::Within(within)).into();
-        result.reason = Some(tr!("What has already happened takes longer than that.").to_owned());
+        result.reason = Some(Reason::PastTooLong);
         (result.plan, result.costs) = (None, None);
         for names in [
             &mut answer.kept,

@@ -38,7 +38,7 @@ pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<Freedom
             count: request.count_limit(),
         };
         if let Err(stop) = parts::serve(&subject, &mut answer) {
-            answer.reason = Some(stop.sentence().to_owned());
+            answer.reason = Some(stop.into());
         }
     }
     answer.stats = task.budget.stats();

@@ -4,6 +4,7 @@ use giveway_model::{Cost, format::native};
 use serde_json::{Value, json};
 
 use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner, Went, words};
+use crate::budget::Stop;
 use crate::{Host, Limits, Progress, Reach, Refusal, Request, Response, SilentHost, serve};
 
 const CROSSING: &str = r##"{
@@ -131,7 +132,7 @@ fn without_a_plan_cbs_never_says_that_there_is_none() {
     let PlanEnd::Stopped { reason } = &answer.ended else {
         panic!("{answer:?}");
     };
-    assert_eq!(reason, "The search was cancelled.");
+    assert_eq!(*reason, Stop::Cancelled.into());
     assert!(answer.bounds[&Cost::Makespan] > 2);
     let text = said(&answer);
     assert!(
@@ -201,9 +202,6 @@ fn trace(scene: &str, planner: Planner) -> Value {
         trace: true,
         ..request(scene, planner)
     });
-    let text = serde_json::to_string(&answer).unwrap();
-    let again: PlanAnswer = serde_json::from_str(&text).unwrap();
-    assert_eq!(again, answer, "an answer is read as it was written");
     serde_json::to_value(answer.trace).unwrap()
 }
 

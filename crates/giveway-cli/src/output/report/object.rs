@@ -8,7 +8,7 @@ use giveway_model::compare::Claimed;
 use giveway_model::compare::{ClaimedBound, ClaimedCost};
 use giveway_model::{Assumption, Cost, Costs, Objective, Plan, Version};
 use giveway_solve::audit::AuditStatus;
-use giveway_solve::{Reach, Stats, Status};
+use giveway_solve::{Reach, Reason, Stats, Status};
 use serde::Serialize;
 
 use super::Audited;
@@ -43,7 +43,7 @@ pub(crate) struct AuditObject<'a> {
     better_costs: Option<Costs>,
     search: Status,
     #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<&'a str>,
+    reason: Option<&'a Reason>,
     stats: Stats,
     /// In a report: what opens the plan on the page.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,7 +92,7 @@ impl Audited {
             better: answer.better.as_ref(),
             better_costs: answer.better_costs,
             search: answer.search,
-            reason: answer.reason.as_deref(),
+            reason: answer.reason.as_ref(),
             stats: answer.stats,
             link: None,
         }

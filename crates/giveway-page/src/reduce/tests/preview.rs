@@ -7,13 +7,8 @@ use giveway_model::{Agent, Cell, Cost, Plan, Scene, Version};
 use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
 
 use super::{after, fresh};
-<<<<<<< HEAD
-use crate::sample::solved;
-use crate::{Action, Draft, Phase, PlayAction, SolveAction, State, WorkerAction};
-=======
 use crate::sample::{reach, solved};
-use crate::{Action, Draft, Phase, PlayAction, SolveAction, State};
->>>>>>> w2
+use crate::{Action, Draft, Phase, PlayAction, SolveAction, State, WorkerAction};
 
 /// One robot in a corridor, which is solved.
 fn begun() -> State {

@@ -6,6 +6,7 @@ use giveway_model::{Cost, Costs, Objective, Plan, Version};
 
 use crate::audit::words::{headline, notes};
 use crate::audit::{AuditAnswer, AuditStatus, gap};
+use crate::budget::Stop;
 use crate::{Reach, Stats, Status};
 
 fn costs(makespan: u32, sum_of_costs: u32) -> Costs {
@@ -50,7 +51,7 @@ fn says(answer: &AuditAnswer, expected: &str) {
 fn a_legal_plan_is_at_most_so_far_from_the_best() {
     let sum = |bound| [(Cost::SumOfCosts, bound)];
     let mut one = answer(AuditStatus::Feasible, &sum(84), None);
-    one.reason = Some("The time limit was reached.".to_owned());
+    one.reason = Some(Stop::Time.into());
     says(
         &one,
         "At most 1.2 % above the best: its sum of costs is 85, and no plan has less than 84. \

@@ -22,7 +22,7 @@ pub use slack::{Hold, Later, Slack};
 pub use ways::{Farthest, Plans, Step, Ways};
 
 use super::FreedomPart;
-use crate::{Reach, Stats, Status};
+use crate::{Reach, Reason, Stats, Status};
 
 /// Which plan an answer is about.
 #[derive(
@@ -79,9 +79,9 @@ pub struct FreedomAnswer {
     /// How far what is said of all best plans reaches. Of closed cells each says so itself.
     #[serde(flatten)]
     pub reach: Reach,
-    /// Why something is open, as a sentence.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Why something is open; nothing in an answer that was read from JSON.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// How much work it took.
     pub stats: Stats,
 }

@@ -10,13 +10,8 @@ use giveway_solve::explain::{Edit, ExplainAnswer, Part, Repair, Verdict};
 use giveway_solve::{Progress, Response, Stats};
 
 use crate::reduce::tests::after;
-<<<<<<< HEAD
-use crate::sample::solved;
-use crate::{Action, AskAction, State, WorkerAction};
-=======
 use crate::sample::{reach, solved};
-use crate::{Action, AskAction, SolveAction, State};
->>>>>>> w2
+use crate::{Action, AskAction, State, WorkerAction};
 
 fn question() -> Question {
     Question::Charge {
