@@ -5,7 +5,7 @@ use std::cell::Cell;
 use giveway_model::question::{holds, to_words};
 use giveway_model::{Path, Plan};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Part, Verdict};
-use giveway_solve::{Host, Limits, Progress, Request, Response, SilentHost, serve};
+use giveway_solve::{Host, Limits, Progress, Reach, Request, Response, SilentHost, serve};
 
 use crate::compare::{Comparison, judge};
 use crate::oracle::{self, Contrast};
@@ -97,7 +97,7 @@ pub fn compare(case: &Case, within: Option<u32>) -> (Comparison, ExplainAnswer) 
     };
     let asked = oracle::Question {
         instance: &case.instance,
-        within: answer.within,
+        within: answer.reach.within(),
         cap: CAP,
     };
     let truth = asked.best_with(contrast);
@@ -199,18 +199,24 @@ fn horizon_faults(case: &Case, asked: Option<u32>, answer: &ExplainAnswer) -> Ve
     let default = oracle::default_horizon(&case.instance).map(|default| default.max(makespan));
     let expected = asked.map_or(default, |asked| Some(asked.max(makespan)));
     let mut faults = Vec::new();
-    if answer.complete == answer.within.is_some() {
-        let (complete, within) = (answer.complete, answer.within);
-        faults.push(format!("complete is {complete} and within is {within:?}"));
+    if answer.reach == Reach::default() {
+        faults.push("nothing is claimed".to_owned());
     }
-    if answer.within.is_some() && answer.within != expected {
-        faults.push(format!("within {:?}, not {expected:?}", answer.within));
+    if answer.reach.within().is_some() && answer.reach.within() != expected {
+        faults.push(format!(
+            "within {:?}, not {expected:?}",
+            answer.reach.within()
+        ));
     }
     let bounded = matches!(
         case.question,
         giveway_model::Question::Makespan | giveway_model::Question::SumOfCosts
     );
-    if asked.is_none() && bounded && !answer.complete && answer.verdict == Verdict::Necessary {
+    if asked.is_none()
+        && bounded
+        && !answer.reach.is_complete()
+        && answer.verdict == Verdict::Necessary
+    {
         faults.push("necessary is not complete, though a cost is bounded".to_owned());
     }
     faults

@@ -2,7 +2,7 @@
 
 use giveway_model::check::check;
 use giveway_model::{Costs, Instance, Plan};
-use giveway_solve::{FrontAnswer, SolveAnswer, Status};
+use giveway_solve::{FrontAnswer, Reach, SolveAnswer, Status};
 
 use crate::oracle::{self, Question, Verdict};
 use crate::{ask, recount};
@@ -41,19 +41,18 @@ pub fn answered(
     faults.extend(plan_faults(instance, within, &answer));
     let claim = Claim {
         status: answer.status,
-        complete: answer.complete,
-        within: answer.within,
+        reach: answer.reach,
     };
     faults.extend(claim.faults(instance, within));
     if claim.can_be_judged() {
-        let Some(truth) = oracle.best(claim.within) else {
+        let Some(truth) = oracle.best(claim.reach.within()) else {
             return Comparison::TooLarge;
         };
         faults.extend(best_faults(instance, &answer, &truth));
     }
     // Of a front this cannot be said: a longer plan may be another point of it.
     let by_objective = oracle::objective_is_complete(instance) && within.is_none();
-    if by_objective && answer.status == Status::Optimal && !answer.complete {
+    if by_objective && answer.status == Status::Optimal && !answer.reach.is_complete() {
         faults.push("optimal is not complete, though its first cost makes it so".to_owned());
     }
     Comparison::of(faults, &answer, &asked)
@@ -72,12 +71,11 @@ pub fn front(instance: &Instance, within: Option<u32>) -> Comparison {
     }
     let claim = Claim {
         status: answer.status,
-        complete: answer.complete,
-        within: answer.within,
+        reach: answer.reach,
     };
     faults.extend(claim.faults(instance, within));
     if claim.can_be_judged() {
-        let Some(truth) = oracle.front(claim.within) else {
+        let Some(truth) = oracle.front(claim.reach.within()) else {
             return Comparison::TooLarge;
         };
         faults.extend(front_faults(instance, &answer, &truth));
@@ -156,43 +154,36 @@ impl Oracle<'_> {
 /// What an answer claims, and how far.
 struct Claim {
     status: Status,
-    complete: bool,
-    within: Option<u32>,
+    reach: Reach,
 }
 
 impl Claim {
     /// Whether this is a claim that the oracle can judge.
     fn can_be_judged(&self) -> bool {
         matches!(self.status, Status::Optimal | Status::Impossible)
-            && self.complete == self.within.is_none()
+            && self.reach != Reach::default()
     }
 
     /// What is wrong with the form of the claim.
     fn faults(&self, instance: &Instance, asked: Option<u32>) -> Vec<String> {
         let mut faults = Vec::new();
-        let Self {
-            status,
-            complete,
-            within,
-        } = *self;
+        let Self { status, reach } = *self;
         if !matches!(status, Status::Optimal | Status::Impossible) {
             faults.push(format!("{status:?}, expected optimal or impossible"));
             return faults;
         }
-        if complete == within.is_some() {
-            faults.push(format!(
-                "complete is {complete} and within is {within:?}, expected one of the two"
-            ));
+        if reach == Reach::default() {
+            faults.push("it is not said how far the claim reaches".to_owned());
         }
         let default = oracle::default_horizon(instance);
-        if let Some(within) = within
+        if let Some(within) = reach.within()
             && asked.or(default) != Some(within)
         {
             faults.push(format!(
                 "the claim is made within {within}, expected {asked:?}, or by default {default:?}"
             ));
         }
-        if !complete && status == Status::Impossible && default.is_none() {
+        if !reach.is_complete() && status == Status::Impossible && default.is_none() {
             faults.push(
                 "impossible is not complete, though an agent cannot do its task even alone"
                     .to_owned(),

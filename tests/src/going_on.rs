@@ -107,7 +107,7 @@ pub fn difference(
     let result = &method.result;
     let told = |what: &str| Some(format!("{what}: the oracle has {known:?}, not {method:?}"));
     match (result.status, known) {
-        (Status::Impossible, Some((_, vector))) => match result.within {
+        (Status::Impossible, Some((_, vector))) => match result.reach.within() {
             Some(within) if vector[0] > within => None,
             _ => told("impossible"),
         },

@@ -184,10 +184,10 @@ impl Replay<'_> {
                     .iter()
                     .filter_map(|c| costs.get(c).copied())
                     .collect();
-                Some(vector) == self.vector(answer.costs) && *within == answer.within
+                Some(vector) == self.vector(answer.costs) && *within == answer.reach.within()
             }
             (Status::Impossible, Some(SearchEvent::Impossible(cannot))) => {
-                cannot.within == answer.within
+                cannot.within == answer.reach.within()
             }
             (Status::Feasible | Status::Unknown, Some(SearchEvent::Stopped(stopped))) => {
                 stopped.costs == answer.costs && stopped.bounds == answer.bounds

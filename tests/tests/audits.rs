@@ -63,7 +63,7 @@ fn spoiled(plan: &Plan) -> Vec<Plan> {
 fn judge(instance: &Instance, best: &Point, plan: &Plan, answer: &AuditAnswer) {
     let objective = instance.objective();
     let scene = || serde_json::to_string(&(instance.to_scene(), plan)).unwrap();
-    if answer.complete {
+    if answer.reach.is_complete() {
         let first = objective.costs()[0];
         let bound = answer.bounds.get(&first).copied().unwrap_or_default();
         assert!(bound <= best.vector[0], "{}", scene());
@@ -71,7 +71,7 @@ fn judge(instance: &Instance, best: &Point, plan: &Plan, answer: &AuditAnswer) {
     if let Some(better) = &answer.better {
         let vector = recount::costs(better).vector(objective);
         assert!(vector >= best.vector, "{}", scene());
-        if answer.search == Status::Optimal && answer.complete {
+        if answer.search == Status::Optimal && answer.reach.is_complete() {
             assert_eq!(vector, best.vector, "{}", scene());
         }
     }

@@ -130,7 +130,7 @@ impl Seen {
     /// One set; `None` where it is too large.
     fn look_at_set(&mut self, claim: &Claim, core: &Core) -> Option<Vec<String>> {
         let mut faults = Vec::new();
-        if claim.has_plan(&core.facts, core.within)? {
+        if claim.has_plan(&core.facts, core.reach.within())? {
             faults.push("there is a plan with all of them".to_owned());
         }
         for fact in &core.facts {
@@ -139,7 +139,7 @@ impl Seen {
             // What was only looked for within a horizon is claimed no further.
             let (claimed, within) = match fact.helps {
                 Helps::Yes => (true, None),
-                Helps::No => (false, core.within),
+                Helps::No => (false, core.reach.within()),
                 Helps::Unknown => continue,
             };
             match claim.has_plan_without(left_out, within) {
@@ -192,7 +192,7 @@ impl Seen {
             }
             if earlier.iter().any(has) {
                 self.sharing += 1;
-                match claim.has_plan_without(&earlier, further.within) {
+                match claim.has_plan_without(&earlier, further.reach.within()) {
                     None => self.too_large_parts += 1,
                     Some(true) => {}
                     Some(false) => faults.push("a set that shares no fact is left".to_owned()),

@@ -17,6 +17,7 @@ use giveway_course::lesson::{
 use giveway_course::port::Evidence;
 use giveway_model::words::{Catalogue, found, speak};
 use giveway_model::{Cell, Cost, Fault};
+use giveway_solve::Reason;
 use giveway_tests::languages::{Files, Part};
 use giveway_tests::source;
 
@@ -168,9 +169,7 @@ fn verdicts_keep_their_links_in_the_order_of_the_language() {
             "Noch nicht: 1 Warteschritt, und kein Plan ist besser."
         );
         assert_eq!(
-            told(Why::Unknown(Some(
-                "A1 cannot do its task, even alone.".into()
-            ))),
+            told(Why::Unknown(Some(Reason::Alone { agent: "A1".into() }))),
             "Noch nicht: A1 kann die Aufgabe nicht einmal allein erfüllen."
         );
         assert_eq!(

@@ -65,7 +65,7 @@ fn said_by_solver(instance: &Instance, answer: &SolveAnswer) -> String {
         (Status::Impossible, None) => "impossible".to_owned(),
         other => format!("{other:?}"),
     };
-    let reach = match (answer.complete, answer.within) {
+    let reach = match (answer.reach.is_complete(), answer.reach.within()) {
         (true, None) => "complete".to_owned(),
         (false, Some(within)) => format!("within {within}"),
         other => format!("{other:?}"),

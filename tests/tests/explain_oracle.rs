@@ -71,7 +71,7 @@ fn verdicts(case_of: impl Fn(u64, u64) -> Option<Case>, least_kinds: usize) {
         }
         *verdicts.entry(answer.verdict).or_default() += 1;
         *kinds.entry(case.question.kind()).or_default() += 1;
-        incomplete += u64::from(!answer.complete);
+        incomplete += u64::from(!answer.reach.is_complete());
     }
     println!(
         "{verdicts:?}, {incomplete} of them within a horizon, {too_large} too large; {kinds:?}"
@@ -105,7 +105,10 @@ fn without_a_budget_nothing_is_known() {
             Verdict::Unknown | Verdict::Improvable
         ));
         assert!(found || answer.verdict == Verdict::Unknown, "{number}");
-        assert!(!answer.complete && answer.within.is_none(), "{number}");
+        assert!(
+            !answer.reach.is_complete() && answer.reach.within().is_none(),
+            "{number}"
+        );
         seen += 1;
     }
     assert!(seen > 5);

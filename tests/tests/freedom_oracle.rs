@@ -54,7 +54,7 @@ fn all(instance_of: fn(u64, u64) -> Instance, count: u64) -> [u64; 8] {
                     answer.plan.is_some() && !instance.stays(),
                     answer.plan.is_some() && agents.len() == 3,
                     answer.plan.is_some() && first == Some(&Cost::SumOfCosts),
-                    answer.plan.is_some() && !answer.complete,
+                    answer.plan.is_some() && !answer.reach.is_complete(),
                 ];
                 for (kind, is_in) in kinds.iter_mut().zip(in_kind) {
                     *kind += u64::from(is_in);

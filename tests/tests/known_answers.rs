@@ -77,8 +77,8 @@ mod seed {
             let warehouse = with_objective(&warehouse, objective);
             let expect = [(Makespan, 18), (SumOfCosts, 35), (Charges, 3)];
             let answer = check_optimal(&warehouse, &expect);
-            assert!(answer.complete, "for {objective}");
-            assert_eq!(answer.within, None, "for {objective}");
+            assert!(answer.reach.is_complete(), "for {objective}");
+            assert_eq!(answer.reach.within(), None, "for {objective}");
         }
     }
 
@@ -87,7 +87,10 @@ mod seed {
         let warehouse = known::instance("seed/warehouse.json");
         let answer = ask::best(&warehouse, Some(17));
         assert_eq!(answer.status, Status::Impossible);
-        assert_eq!((answer.complete, answer.within), (false, Some(17)));
+        assert_eq!(
+            (answer.reach.is_complete(), answer.reach.within()),
+            (false, Some(17))
+        );
     }
 
     #[test]
@@ -130,7 +133,10 @@ mod seed {
     fn scenario_6() {
         let answer = ask::best(&known::instance("seed/scenario-6.json"), None);
         assert_eq!(answer.status, Status::Impossible);
-        assert_eq!((answer.complete, answer.within), (true, None));
+        assert_eq!(
+            (answer.reach.is_complete(), answer.reach.within()),
+            (true, None)
+        );
     }
 
     #[test]
@@ -148,7 +154,7 @@ fn check_row(row: &known::Row) {
     expect.extend(row.sum_of_costs.map(|value| (Cost::SumOfCosts, value)));
     expect.extend(row.charges.map(|value| (Cost::Charges, value)));
     let answer = check_optimal(&known::mmapf(&row.name), &expect);
-    assert!(answer.complete, "{}", row.name);
+    assert!(answer.reach.is_complete(), "{}", row.name);
 }
 
 /// Sum of costs first: alone, and followed by the others.
@@ -159,7 +165,7 @@ fn check_row_sum_of_costs_first(row: &known::Row) {
     for objective in ["sum-of-costs", "sum-of-costs,makespan,charges"] {
         let instance = with_objective(&known::mmapf(&row.name), objective);
         let answer = check_optimal(&instance, &[(Cost::SumOfCosts, value)]);
-        assert!(answer.complete, "{} for {objective}", row.name);
+        assert!(answer.reach.is_complete(), "{} for {objective}", row.name);
     }
 }
 
@@ -204,7 +210,12 @@ fn check_scenarios(wanted: impl Fn(usize) -> bool) {
             let instance = known::scenario(&row.map, row.agents);
             let instance = with_objective(&instance, "sum-of-costs");
             let answer = check_optimal(&instance, &[(Cost::SumOfCosts, row.sum_of_costs)]);
-            assert!(answer.complete, "{} with {} agents", row.map, row.agents);
+            assert!(
+                answer.reach.is_complete(),
+                "{} with {} agents",
+                row.map,
+                row.agents
+            );
         }
     }
 }

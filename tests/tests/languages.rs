@@ -18,11 +18,11 @@ use std::sync::LazyLock;
 use giveway_course::lesson::{Glossary, read_lesson};
 use giveway_model::format::native;
 use giveway_model::words::{Catalogue, Message, messages, speak};
-use giveway_model::{Cost, Fault};
-use giveway_planners::budget::Stop;
+use giveway_model::{Cell, Cost, Fault};
 use giveway_proof::{Budget, Checked, export, verify};
-use giveway_solve::CertifyRequest;
+use giveway_solve::change::{Cause, CauseKind, Method};
 use giveway_solve::words::reason;
+use giveway_solve::{CertifyRequest, Reason, Stop};
 use giveway_tests::languages::{Part, Said, is_source, places, unsaid, updated};
 use giveway_tests::source;
 
@@ -325,7 +325,7 @@ fn a_certificate_is_the_same_whatever_is_spoken() {
 }
 
 #[test]
-fn what_the_solver_gave_as_a_reason_is_said_anew() {
+fn reasons_are_said_in_the_language_that_is_spoken() {
     let stops = [
         Stop::Time,
         Stop::Conflicts,
@@ -334,30 +334,39 @@ fn what_the_solver_gave_as_a_reason_is_said_anew() {
         Stop::Cancelled,
         Stop::Contradiction,
     ];
-    let stops = stops.map(Stop::sentence);
+    let english = stops.map(|stop| reason(&stop.into()));
+    let agents = |n: usize| (1..=n).map(|i| format!("A{i}")).collect();
     speak(Some(german()));
-    for stop in stops {
-        assert_ne!(reason(stop), stop);
+    for (stop, english) in stops.into_iter().zip(english) {
+        assert_ne!(reason(&stop.into()), english);
     }
-    for (english, german) in [
+    for (given, german) in [
         (
-            "A1 and A2 cannot both arrive.",
+            Reason::Clash { agents: agents(2) },
             "A1 und A2 können nicht beide ankommen.",
         ),
         (
-            "A1, A2 and A3 cannot all arrive.",
+            Reason::Clash { agents: agents(3) },
             "A1, A2 und A3 können nicht alle ankommen.",
         ),
         (
-            "A1 cannot do its task, even alone.",
+            Reason::Alone { agent: "A1".into() },
             "A1 kann die Aufgabe nicht einmal allein erfüllen.",
         ),
         (
-            "The goal of A1 is now (3, 1), which is not in its tunnel.",
+            Reason::Cause(Cause {
+                agent: "A1".into(),
+                kind: CauseKind::Goal,
+                cell: Some(Cell::new(3, 1)),
+                agents: Vec::new(),
+                within: None,
+                method: Method::Tunnel(1),
+                has_batteries: false,
+            }),
             "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
         ),
     ] {
-        assert_eq!(reason(english), german);
+        assert_eq!(reason(&given), german);
     }
     speak(None);
 }

@@ -57,7 +57,7 @@ fn verified(words: &str, deltas: [i64; 3]) -> ExplainAnswer {
         let counted = i64::from(after.get(cost)) - i64::from(before.get(cost));
         assert_eq!((counted, answer.deltas[&cost]), (delta, delta), "{words}");
     }
-    assert!(answer.closest && answer.complete, "{words}");
+    assert!(answer.closest && answer.reach.is_complete(), "{words}");
     assert!(!answer.words.is_empty(), "{words}");
     answer
 }
@@ -112,7 +112,10 @@ fn why_not_sooner_nor_with_less() {
     ] {
         let answer = answer(words);
         assert_eq!(answer.verdict, Verdict::Necessary, "{words}");
-        assert!(answer.complete && answer.within.is_none(), "{words}");
+        assert!(
+            answer.reach.is_complete() && answer.reach.within().is_none(),
+            "{words}"
+        );
         assert!(answer.alternative.is_none() && answer.costs.is_none());
         let core = answer.core.unwrap();
         assert!(core.minimal && !core.facts.is_empty(), "{words}");

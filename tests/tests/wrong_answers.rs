@@ -41,11 +41,11 @@ fn what_is_necessary_within_a_horizon_is_no_more_than_that() {
     ] {
         let answer = asked(case, question, within);
         assert_eq!(answer.verdict, Verdict::Necessary, "{case} {question}");
-        assert!(!answer.complete, "{case} {question}");
-        assert_eq!(answer.within, Some(within), "{case} {question}");
+        assert!(!answer.reach.is_complete(), "{case} {question}");
+        assert_eq!(answer.reach.within(), Some(within), "{case} {question}");
         if let Some(core) = &answer.core {
-            assert!(!core.complete, "{case} {question}");
-            assert_eq!(core.within, Some(within), "{case} {question}");
+            assert!(!core.reach.is_complete(), "{case} {question}");
+            assert_eq!(core.reach.within(), Some(within), "{case} {question}");
         }
         // The same plan, asked about with more time.
         let scene = instance(&format!("{case}.json"));
@@ -66,7 +66,10 @@ fn what_is_needless_within_a_horizon_is_no_more_than_that() {
     let case = "needless-whatever-horizon";
     let answer = asked(case, "charge A1 --time 5", 6);
     assert_eq!(answer.verdict, Verdict::Needless);
-    assert_eq!((answer.complete, answer.within), (false, Some(6)));
+    assert_eq!(
+        (answer.reach.is_complete(), answer.reach.within()),
+        (false, Some(6))
+    );
     let cheap = ask::best(&instance(&format!("{case}.json")), Some(7)).costs;
     assert_eq!(
         cheap.map(|costs| (costs.charges, costs.makespan)),
@@ -100,7 +103,11 @@ fn the_end_of_time_is_no_edge() {
         let [last, before] = [u32::MAX, u32::MAX - 1].map(|time| {
             let question = format!("{question} {time}");
             let answer = explain(&instance, None, &question, None, Limits::default());
-            (answer.verdict, answer.complete, answer.within)
+            (
+                answer.verdict,
+                answer.reach.is_complete(),
+                answer.reach.within(),
+            )
         });
         assert_eq!(last, before, "{question}");
     }
@@ -112,7 +119,7 @@ fn the_end_of_time_is_no_edge() {
         Limits::default(),
     );
     assert_eq!(
-        (answer.verdict, answer.complete),
+        (answer.verdict, answer.reach.is_complete()),
         (Verdict::Necessary, false)
     );
 }
@@ -130,9 +137,15 @@ fn a_horizon_beyond_any_use_costs_nothing() {
     let vanishing = picture::instance("a . B\nb . A\nvanish\nminimise moves,waits");
     for within in [1_000_000, 4_000_000_000, u32::MAX] {
         let answer = ask::best_within_conflicts(&corridor, Some(within), 20_000);
-        assert_eq!((answer.status, answer.complete), (Status::Impossible, true));
+        assert_eq!(
+            (answer.status, answer.reach.is_complete()),
+            (Status::Impossible, true)
+        );
         let answer = ask::best_within_conflicts(&vanishing, Some(within), 20_000);
-        assert_eq!((answer.status, answer.complete), (Status::Optimal, true));
+        assert_eq!(
+            (answer.status, answer.reach.is_complete()),
+            (Status::Optimal, true)
+        );
         for question in [
             "moves",
             "arrival a",
@@ -193,7 +206,7 @@ fn a_further_cost_is_minimised_among_plans_of_the_least_sum() {
         let answer = ask::best(&instance.with_objective(objective.clone()), None);
         assert_eq!(answer.status, Status::Optimal, "{objective}");
         assert_eq!(answer.costs.unwrap().vector(&objective), expected);
-        assert!(answer.complete, "{objective}");
+        assert!(answer.reach.is_complete(), "{objective}");
     }
 }
 
@@ -202,5 +215,5 @@ fn a_further_cost_is_minimised_among_plans_of_the_least_sum() {
 fn few_joint_states_are_exhausted() {
     let answer = ask::best_within_conflicts(&instance("few-joint-states.json"), None, 20_000);
     assert_eq!(answer.status, Status::Impossible);
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
 }

@@ -131,8 +131,8 @@ fn of<'a>(instance: &'a Instance, answer: &'a SolveAnswer) -> Solved<'a> {
         about: Claim::default(),
         bounds: &answer.bounds,
         impossible: answer.status == Status::Impossible,
-        complete: answer.complete,
-        within: answer.within,
+        complete: answer.reach.is_complete(),
+        within: answer.reach.within(),
         plan: answer.plan.as_ref(),
     }
 }
@@ -150,7 +150,10 @@ fn a_plan_that_is_best_up_to_a_makespan_is_called_no_more() {
         Some((3, 6))
     );
     assert!(answer.costs.unwrap().moves > 3);
-    assert_eq!((answer.complete, answer.within), (false, Some(5)));
+    assert_eq!(
+        (answer.reach.is_complete(), answer.reach.within()),
+        (false, Some(5))
+    );
     let solved = of(&instance, &answer);
     let files = export(&solved, &Budget::default());
     let readme = String::from_utf8(files["README.md"].clone()).unwrap();
@@ -196,7 +199,10 @@ fn an_objective_is_that_of_the_instance() {
 fn a_sum_of_costs_within_a_makespan_is_certified() {
     let instance = random::small(1, 79);
     let answer = solved(&instance, Some(7));
-    assert_eq!((answer.complete, answer.within), (false, Some(7)));
+    assert_eq!(
+        (answer.reach.is_complete(), answer.reach.within()),
+        (false, Some(7))
+    );
     let report = verify(
         &export(&of(&instance, &answer), &Budget::default()),
         &Budget::default(),
@@ -273,7 +279,7 @@ fn it_is_told_what_shows_the_claims() {
         let objective: Objective = objective.parse().unwrap();
         let instance = instance("yield-2x2.json").with_objective(objective);
         let answer = solved(&instance, None);
-        assert!(answer.complete);
+        assert!(answer.reach.is_complete());
         let solved = of(&instance, &answer);
         let report = verify(&export(&solved, &Budget::default()), &Budget::default());
         assert!(report.accepted);

@@ -3,10 +3,10 @@
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
-use giveway_model::{Cost, Question, tr};
+use giveway_model::{Cost, Question};
 use giveway_proof::Report;
 use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest};
-use giveway_solve::{Limits, SolveAnswer, Stats, Status};
+use giveway_solve::{Limits, Reason, SolveAnswer, Stats, Status};
 
 use crate::Answer;
 use crate::changing::Changing;
@@ -134,7 +134,7 @@ impl Asking {
             ended: None,
             // It was asked for, not searched for: where the best plan is known, this is not it.
             reason: (solved.status == Status::Optimal && status == Status::Feasible)
-                .then(|| tr!("There is a better plan").to_owned()),
+                .then_some(Reason::Beaten),
             stats: Stats::default(),
             ..solved.clone()
         };

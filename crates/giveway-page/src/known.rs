@@ -1,8 +1,8 @@
 //! What two searches of one scene know together, and what a search tells of a plan
 //! that was there before it.
 
-use giveway_model::{Objective, tr};
-use giveway_solve::{SolveAnswer, Status};
+use giveway_model::Objective;
+use giveway_solve::{Reason, SolveAnswer, Status};
 
 /// What is known after a search that went on from another one: the better of both
 /// plans, and of each cost the greater bound. An answer that is final stays as it
@@ -12,7 +12,8 @@ pub(crate) fn merged(
     after: SolveAnswer,
     objective: &Objective,
 ) -> SolveAnswer {
-    if matches!(after.status, Status::Optimal | Status::Impossible) || before.within != after.within
+    if matches!(after.status, Status::Optimal | Status::Impossible)
+        || before.reach.within() != after.reach.within()
     {
         return after;
     }
@@ -49,10 +50,10 @@ pub(crate) fn judged(
     };
     if own != found || solved.status != Status::Optimal {
         judged.status = Status::Feasible;
-        judged.complete = false;
+        judged.reach = judged.reach.of_bounds();
     }
     if found < own && found.is_some() {
-        judged.reason = Some(tr!("There is a better plan").to_owned());
+        judged.reason = Some(Reason::Beaten);
     }
     judged
 }

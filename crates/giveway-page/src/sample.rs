@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::format::native;
 use giveway_model::{Cell, Costs, Objective, Plan, Version};
-use giveway_solve::{Response, SolveAnswer, Stats, Status};
+use giveway_solve::{Reach, Response, SolveAnswer, Stats, Status};
 
 use crate::{Action, Answer, BoardAction, Draft, SolveAction, State, WorkerAction, reduce};
 
@@ -46,6 +46,12 @@ fn plan() -> Plan {
     plan
 }
 
+/// How far a claim reaches: up to a makespan, or for every horizon.
+pub(crate) fn reach(within: Option<u32>) -> Reach {
+    let written = serde_json::json!({ "complete": within.is_none(), "within": within });
+    serde_json::from_value(written).unwrap()
+}
+
 /// A plan as it comes when it is proved optimal.
 pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAnswer {
     let bounds = objective.costs().iter();
@@ -54,8 +60,7 @@ pub(crate) fn proved(objective: &Objective, costs: Costs, plan: Plan) -> SolveAn
         status: Status::Optimal,
         costs: Some(costs),
         bounds: bounds.map(|&cost| (cost, costs.get(cost))).collect(),
-        within: None,
-        complete: true,
+        reach: reach(None),
         ended: Some(giveway_solve::Ended::Proof),
         reason: None,
         plan: Some(plan),

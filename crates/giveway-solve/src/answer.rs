@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{Ended, judged::told, search::Reach, trace::SearchTrace};
+use crate::{Ended, Reach, Reason, search::Proved, trace::SearchTrace};
 
 /// What is known at the end. Running out is never "no solution".
 #[derive(
@@ -56,17 +56,17 @@ pub struct SolveAnswer {
     /// The proved lower bound of each cost of the objective reached so far.
     #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
-    /// The makespan up to which claim and bounds were proved; `null` where they hold for every
-    /// horizon, or where nothing is claimed (`complete` says which).
-    pub within: Option<u32>,
-    /// Whether the claim holds whatever the horizon.
-    pub complete: bool,
+    /// How far claim and bounds reach. Where the claim is gone but not its bounds, it is how
+    /// far these reach ([`Reach::of_bounds`]).
+    #[serde(flatten)]
+    pub reach: Reach,
     /// What ended the search; left out where none was made.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
-    /// Why there is no plan or no proof, as a sentence; `null` otherwise.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Why there is no plan or no proof; nothing otherwise, and in an answer that was read
+    /// from JSON.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// The plan.
     pub plan: Option<Plan>,
     /// How much work it took.
@@ -80,18 +80,16 @@ impl SolveAnswer {
     /// An answer without a plan.
     pub(crate) fn without_plan(
         status: Status,
-        reach: Option<Reach>,
-        (ended, reason): (Ended, String),
+        reach: Option<Proved>,
+        (ended, reason): (Ended, Reason),
         stats: Stats,
     ) -> Self {
-        let (complete, within) = told(reach);
         Self {
             giveway: Version,
             status,
             costs: None,
             bounds: BTreeMap::new(),
-            within,
-            complete,
+            reach: reach.into(),
             ended: Some(ended),
             reason: Some(reason),
             plan: None,
@@ -102,19 +100,18 @@ impl SolveAnswer {
 }
 
 /// The answer to a request for a Pareto front.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct FrontAnswer {
     /// The format's version.
     pub giveway: Version,
     /// What is known of the front as a whole.
     pub status: Status,
     /// What ended the search for its points; left out where none was made.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
-    /// Whether the claim holds whatever the horizon.
-    pub complete: bool,
-    /// The makespan up to which it was proved; `null` where complete.
-    pub within: Option<u32>,
+    /// How far the claim reaches.
+    #[serde(flatten)]
+    pub reach: Reach,
     /// One answer a point, in the order of the first cost.
     pub front: Vec<SolveAnswer>,
 }

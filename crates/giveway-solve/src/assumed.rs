@@ -10,10 +10,12 @@
 //! as every answer says; that there is no plan for them says nothing of other goals.
 
 use giveway_model::{
-    Assumption, Costs, Fault, Instance, Objective, Plan, Scene, assumption, check::check, tr,
+    Assumption, Costs, Fault, Instance, Objective, Plan, Scene,
+    check::{check, first_meeting},
+    tr,
 };
 
-use crate::{Ended, FrontAnswer, Refusal, SolveAnswer, Status};
+use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status, budget::Stop};
 
 /// Whether a scene has an obstacle that moves.
 fn has_moving(assumptions: &[Assumption]) -> bool {
@@ -78,14 +80,15 @@ pub(crate) fn refuse_goalless(scene: &Scene) -> Result<(), Refusal> {
     Err(Refusal::Scene { faults })
 }
 
-/// The costs of a plan that the judge passes with all that the scene assumes; else what is
-/// wrong with it first.
-fn judged(instance: &Instance, plan: &Plan) -> Result<Option<Costs>, String> {
+/// The costs of a plan that the judge passes with all that the scene assumes.
+fn legal_costs(instance: &Instance, plan: &Plan) -> Option<Costs> {
     let report = check(instance, plan);
-    match report.violations.into_iter().next() {
-        None => Ok(report.costs),
-        Some(violation) => Err(violation.message),
-    }
+    report.costs.filter(|_| report.violations.is_empty())
+}
+
+/// Whether the judge refuses a plan.
+fn is_illegal(instance: &Instance, plan: &Plan) -> bool {
+    !check(instance, plan).is_valid()
 }
 
 /// Weakens the answer of a search that left out what the instance assumes. `start` is a
@@ -97,32 +100,33 @@ pub(crate) fn weaken(
 ) {
     let assumptions = instance.assumptions();
     if has_moving(assumptions)
-        && let Some(Err(meeting)) = answer.plan.as_ref().map(|plan| judged(instance, plan))
+        && let Some(plan) = &answer.plan
+        && is_illegal(instance, plan)
     {
+        let meeting = first_meeting(instance, plan);
         let legal = legal_start(instance, start);
         keep_reached(objective, legal.as_ref().map(|(_, costs)| costs), answer);
         let reason = if let Some((start, costs)) = legal {
             (answer.plan, answer.costs) = (Some(start.clone()), Some(costs));
             answer.status = Status::Feasible;
-            tr!("Plans that cost less were found only without the obstacles that move.").to_owned()
+            Reason::CheaperMeetMoving
         } else {
             (answer.plan, answer.costs) = (None, None);
             answer.status = Status::Unknown;
-            tr!(
-                "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more.",
-                meeting
-            )
+            meeting.map_or(Reason::Stopped(Stop::Contradiction), |meeting| {
+                Reason::BestMeetsMoving { meeting }
+            })
         };
         end(answer, reason);
     }
     if has_left_out(assumptions) && answer.plan.is_some() {
         keep_reached(objective, None, answer);
         answer.status = Status::Feasible;
-        end(answer, tr!("Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too.").to_owned());
+        end(answer, Reason::LeftOutRules);
     }
     if has_chosen(assumptions) && answer.status == Status::Impossible {
         answer.status = Status::Unknown;
-        end(answer, other_goals());
+        end(answer, Reason::ChosenGoals);
     }
     if has_unknown(assumptions) {
         claim_nothing(instance, answer);
@@ -131,12 +135,7 @@ pub(crate) fn weaken(
 
 /// A plan that was known before, with its costs, where the judge passes it.
 fn legal_start<'a>(instance: &Instance, start: Option<&'a Plan>) -> Option<(&'a Plan, Costs)> {
-    start.and_then(|start| Some((start, judged(instance, start).ok()??)))
-}
-
-/// That other goals may have a plan.
-fn other_goals() -> String {
-    tr!("There is no plan for the goals that were chosen here. Another choice that the file allows may have one.").to_owned()
+    start.and_then(|start| Some((start, legal_costs(instance, start)?)))
 }
 
 /// Weakens a search that is compared with a plan of these costs: a plan that the judge does
@@ -153,31 +152,23 @@ pub(crate) fn weaken_beside(
         && answer
             .plan
             .as_ref()
-            .is_some_and(|plan| judged(instance, plan).is_err())
+            .is_some_and(|plan| is_illegal(instance, plan))
     {
         (answer.plan, answer.costs) = (None, None);
         answer.status = Status::Unknown;
         keep_reached(objective, own, answer);
-        let reason = tr!(
-            "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
-        );
-        end(answer, reason.to_owned());
+        end(answer, Reason::BetterMeetsMoving);
     }
     if has_left_out(instance.assumptions()) && answer.costs.as_ref().is_some_and(is_better) {
         (answer.plan, answer.costs) = (None, None);
         answer.status = Status::Unknown;
         keep_reached(objective, None, answer);
-        let reason = tr!(
-            "Rules of the file's problem are left out of the search, so it is open whether a plan that keeps them costs as little as the bound."
-        );
-        end(answer, reason.to_owned());
+        end(answer, Reason::BetterLeftOutRules);
     }
     if has_chosen(instance.assumptions()) && own.is_none() {
         (answer.plan, answer.costs, answer.status) = (None, None, Status::Unknown);
         answer.bounds.clear();
-        let reason =
-            tr!("The file leaves goals open: what a legal plan costs depends on which are chosen.");
-        end(answer, reason.to_owned());
+        end(answer, Reason::OpenGoals);
     }
     if has_unknown(instance.assumptions()) {
         claim_nothing(instance, answer);
@@ -196,7 +187,7 @@ pub(crate) fn weaken_front(
     if has_unknown(assumptions) || has_left_out || has_other_goals {
         answer.status = weaker(answer.status);
         answer.ended = Some(Ended::Assumptions);
-        (answer.complete, answer.within) = (false, None);
+        answer.reach = Reach::default();
         for point in &mut answer.front {
             weaken((instance, objective), None, point);
             if has_left_out {
@@ -215,23 +206,23 @@ const fn weaker(status: Status) -> Status {
 }
 
 /// The claim is gone; bounds that are left hold within the makespan that the answer names.
-fn end(answer: &mut SolveAnswer, reason: String) {
+fn end(answer: &mut SolveAnswer, reason: Reason) {
     answer.ended = Some(Ended::Assumptions);
     answer.reason = Some(reason);
-    answer.complete = false;
+    answer.reach = answer.reach.of_bounds();
 }
 
 /// Leaves the plan alone of an answer, where a key of unknown meaning may change anything.
 fn claim_nothing(instance: &Instance, answer: &mut SolveAnswer) {
     answer.status = weaker(answer.status);
     answer.bounds.clear();
-    answer.within = None;
+    answer.reach = Reach::default();
     end(answer, unknown(instance));
 }
 
-/// Which keys may change anything, a sentence.
-fn unknown(instance: &Instance) -> String {
+/// Which keys may change anything.
+fn unknown(instance: &Instance) -> Reason {
     let mut keys = instance.assumptions().to_vec();
     keys.retain(|one| matches!(one, Assumption::UnknownKey { .. }));
-    assumption::sentences(&keys).join(" ")
+    Reason::UnknownKeys { keys }
 }

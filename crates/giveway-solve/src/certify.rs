@@ -63,8 +63,8 @@ impl CertifyRequest {
             about: Claim::default(),
             bounds: answer.bounds.clone(),
             impossible: answer.status == Status::Impossible,
-            complete: answer.complete,
-            within: answer.within,
+            complete: answer.reach.is_complete(),
+            within: answer.reach.within(),
             plan: answer.plan.clone(),
             limits: Limits::default(),
         }
@@ -103,8 +103,8 @@ impl CertifyRequest {
             // A contrast below 0 is none: nothing is then claimed to be checked.
             about: contrast.unwrap_or_default(),
             bounds,
-            complete: answer.complete,
-            within: answer.within,
+            complete: answer.reach.is_complete(),
+            within: answer.reach.within(),
             plan: shown.cloned(),
             limits: Limits::default(),
         }

@@ -46,6 +46,19 @@ impl Ended {
         }
     }
 
+    /// The stop of a limit or a person; `None` of what needs more words.
+    pub const fn limit(self) -> Option<Stop> {
+        match self {
+            Self::Work => Some(Stop::Work),
+            Self::Conflicts => Some(Stop::Conflicts),
+            Self::Time => Some(Stop::Time),
+            Self::Memory => Some(Stop::Memory),
+            Self::Cancelled => Some(Stop::Cancelled),
+            Self::Fault => Some(Stop::Contradiction),
+            Self::Proof | Self::Size | Self::Assumptions => None,
+        }
+    }
+
     /// Of a search that such a stop ended, or else a proof.
     pub(crate) fn by(stop: Option<Stop>) -> Self {
         stop.map_or(Self::Proof, Self::from)

@@ -6,7 +6,7 @@ use giveway_model::{Costs, Plan};
 use crate::{
     Status,
     budget::Stop,
-    search::{Aim, Reach},
+    search::{Aim, Proved},
 };
 
 /// A plan and a claim that may be told.
@@ -15,7 +15,7 @@ pub(crate) struct Judged {
     pub(crate) plan: Option<(Plan, Costs)>,
     pub(crate) status: Status,
     /// How far the claim reaches; `None` where nothing was settled.
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
     /// Why nothing was settled.
     pub(crate) stop: Option<Stop>,
 }
@@ -26,7 +26,7 @@ impl Judged {
     pub(crate) fn new<T>(
         found: Option<T>,
         aim: &Aim,
-        (reach, stop): (Option<Reach>, Option<Stop>),
+        (reach, stop): (Option<Proved>, Option<Stop>),
         judge: impl FnOnce(T) -> Option<(Plan, Costs)>,
     ) -> Self {
         let was_found = found.is_some();
@@ -49,11 +49,4 @@ impl Judged {
             stop,
         }
     }
-}
-
-/// A claim as answers tell it: whether it holds whatever the horizon, else the
-/// makespan up to which it does; neither where there is none.
-pub(crate) fn told(reach: Option<Reach>) -> (bool, Option<u32>) {
-    let complete = reach.is_some_and(Reach::is_complete);
-    (complete, reach.and_then(Reach::within))
 }

@@ -24,6 +24,8 @@ mod pareto;
 pub mod plan;
 mod problem;
 mod progress;
+mod reach;
+mod reason;
 mod request;
 mod sat;
 mod search;
@@ -37,6 +39,7 @@ pub mod trace;
 mod verify;
 pub mod words;
 
+pub use giveway_planners::budget::Stop;
 use giveway_planners::{calm, first, lns, local, single, terrain, walk};
 
 pub use answer::{CheckAnswer, FrontAnswer, SolveAnswer, Stats, Status};
@@ -44,6 +47,8 @@ pub use certify::{Certificate, CertifyRequest, ExportAnswer, ExportRequest};
 pub use ended::Ended;
 pub use host::{Host, SilentHost};
 pub use progress::Progress;
+pub use reach::Reach;
+pub use reason::Reason;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
 pub use service::{Refusal, Response, serve, serve_basic};
 pub use thresholds::Thresholds;

@@ -12,9 +12,8 @@ use giveway_model::{Cost, Version};
 
 use crate::{
     Ended, FrontAnswer, SolveAnswer, Status,
-    judged::told,
     problem::Problem,
-    search::{Bounded, Reach},
+    search::{Bounded, Proved},
     solve::{Solved, Task, answer, best, without_search},
 };
 
@@ -36,7 +35,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     let mut points: BTreeMap<Vec<u32>, SolveAnswer> = BTreeMap::new();
     let mut empty: Vec<Limits> = Vec::new();
     let mut boxes = vec![Limits::new()];
-    let mut reach: Option<Reach> = None;
+    let mut reach: Option<Proved> = None;
     while let Some(limits) = boxes.pop() {
         if empty.iter().any(|other| contains(other, &limits)) {
             continue;
@@ -93,16 +92,14 @@ fn contains(outer: &Limits, inner: &Limits) -> bool {
 
 fn whole(
     (status, ended): (Status, Option<Ended>),
-    reach: Option<Reach>,
+    reach: Option<Proved>,
     front: Vec<SolveAnswer>,
 ) -> FrontAnswer {
-    let (complete, within) = told(reach);
     FrontAnswer {
         giveway: Version,
         status,
         ended,
-        complete,
-        within,
+        reach: reach.into(),
         front,
     }
 }

@@ -2,12 +2,12 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::{explain::ExplainAnswer, freedom::FreedomAnswer, trace::TraceEvent};
 
 /// An event on the way to an answer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum Progress {
     /// It is proved that no plan has less of this cost (where it is not the

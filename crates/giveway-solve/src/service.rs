@@ -25,7 +25,7 @@ use crate::{
 };
 
 /// What comes back. An error is a response, too.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "response", rename_all = "kebab-case")]
 #[cfg_attr(
     target_pointer_width = "64",

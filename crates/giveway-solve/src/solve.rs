@@ -3,17 +3,15 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{
-    Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting, tr, words,
-};
+use giveway_model::{Cost, Costs, Instance, Objective, Plan, Version, check::check, sorting};
 
 use crate::{
-    Ended, Host, Limits, Progress, SolveAnswer, Status,
+    Ended, Host, Limits, Progress, Reason, SolveAnswer, Status,
     budget::Budget,
     calmed::calmed,
-    judged::{Judged, told},
+    judged::Judged,
     problem::{Problem, ProblemError},
-    search::{self, Aim, Bounded, Contact, Horizon, Reach, Verdict},
+    search::{self, Aim, Bounded, Contact, Horizon, Proved, Verdict},
     trace::{Cannot, Recorder, SearchEvent, Stopped},
     walk::{Walk, of_plan, to_plan},
 };
@@ -78,15 +76,15 @@ fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
             let known = task.objective.costs().iter();
             SearchEvent::Met {
                 costs: sorting::map(known.map(|&cost| (cost, costs.get(cost)))),
-                within: answer.within,
+                within: answer.reach.within(),
             }
         }
         Status::Impossible => SearchEvent::Impossible(Cannot {
             agents: clash.clone(),
-            within: answer.within,
+            within: answer.reach.within(),
         }),
         Status::Feasible | Status::Unknown => SearchEvent::Stopped(Stopped {
-            reason: answer.reason.clone().unwrap_or_default(),
+            reason: answer.reason.clone(),
             costs: answer.costs,
             bounds: answer.bounds.clone(),
         }),
@@ -135,7 +133,7 @@ fn tell_alone(task: &Task, problem: &Problem) {
 /// An answer, with how far its claim reaches.
 pub(crate) struct Solved {
     pub(crate) answer: SolveAnswer,
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
     /// Agents that cannot all arrive, where there is no plan.
     clash: Vec<String>,
 }
@@ -186,23 +184,21 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
     let (status, reach, ended, reason) = match *error {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
-            Some(Reach::ForEver(reason.into())),
+            Some(Proved::ForEver(reason.into())),
             Ended::Proof,
-            tr!("{name} cannot do its task, even alone.", name = name(i)),
+            Reason::Alone {
+                agent: name(i).to_owned(),
+            },
         ),
         ProblemError::TooManyWaypoints(i) => (
             Status::Unknown,
             None,
             Ended::Size,
-            tr!(
-                "{name} has more waypoints than can be planned for.",
-                name = name(i)
-            ),
+            Reason::ManyWaypoints {
+                agent: name(i).to_owned(),
+            },
         ),
-        ProblemError::Stopped(stop) => {
-            let reason = stop.sentence().to_owned();
-            (Status::Unknown, None, stop.into(), reason)
-        }
+        ProblemError::Stopped(stop) => (Status::Unknown, None, stop.into(), stop.into()),
     };
     let clash = match *error {
         ProblemError::Alone(agent, _) => vec![name(agent).to_owned()],
@@ -228,26 +224,19 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         passes.then(|| calmed(task, problem, &walks, (plan, costs), is_proved))
     });
     let (status, reach) = (judged.status, judged.reach);
-    let (complete, within) = told(reach);
-    let clash: Vec<&str> = verdict
-        .clash
-        .iter()
-        .filter_map(|&i| names.get(i))
-        .map(String::as_str)
-        .collect();
-    let reason = judged
-        .stop
-        .map(|stop| stop.sentence().to_owned())
-        .or_else(|| (status == Status::Impossible).then(|| clash_sentence(&clash)));
-    let clash = clash.into_iter().map(str::to_owned).collect();
+    let clash = verdict.clash.iter().filter_map(|&i| names.get(i));
+    let clash: Vec<String> = clash.cloned().collect();
+    let reason = judged.stop.map(Reason::from).or_else(|| {
+        let agents = clash.clone();
+        (status == Status::Impossible).then_some(Reason::Clash { agents })
+    });
     let (plan, costs) = judged.plan.unzip();
     let answer = SolveAnswer {
         giveway: Version,
         status,
         costs,
         bounds: verdict.bounds,
-        within,
-        complete,
+        reach: reach.into(),
         ended: Some(Ended::by(judged.stop)),
         reason,
         plan,
@@ -258,15 +247,5 @@ pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved
         answer,
         reach,
         clash,
-    }
-}
-
-/// Whom it concerns; the claim itself says at which horizon it holds.
-pub(crate) fn clash_sentence(agents: &[&str]) -> String {
-    match agents {
-        [] => tr!("The robots cannot all arrive.").to_owned(),
-        [one] => tr!("{one} cannot arrive.", one),
-        [one, two] => tr!("{one} and {two} cannot both arrive.", one, two),
-        names => tr!("{robots} cannot all arrive.", robots = words::and(names)),
     }
 }

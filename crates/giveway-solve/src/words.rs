@@ -4,10 +4,10 @@ use giveway_model::words::Later;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use giveway_model::words::{name, retold, sentence, value, values};
-use giveway_model::{Assumption, Cost, Costs, Objective, tr, tr_later};
+use giveway_model::words::{and, name, sentence, value, values};
+use giveway_model::{Assumption, Cost, Costs, Objective, assumption, tr, tr_later};
 
-use crate::{Ended, SolveAnswer, Status};
+use crate::{Ended, Reach, Reason, SolveAnswer, Status, change};
 
 /// An answer in one sentence. It begins with a word that may be made bold.
 ///
@@ -33,11 +33,8 @@ impl fmt::Display for Headline {
 
 /// What is known, and how far it reaches.
 pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
-    let reason = answer
-        .reason
-        .as_deref()
-        .map(|given| sentence(&reason(given)));
-    let within = answer.within.filter(|_| !answer.complete);
+    let reason = answer.reason.as_ref().map(|given| sentence(&reason(given)));
+    let within = answer.reach.within();
     let costs = answer.costs.unwrap_or_default();
     let say = |word: &str, rest: String| Headline {
         word: word.to_owned(),
@@ -94,75 +91,77 @@ pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
     }
 }
 
-/// What the solver gives as a reason, each in its sentence: it speaks English, wherever
-/// it runs, and what it said is said anew where it is shown.
-const REASONS: [Later; 41] = [
-    tr_later!("The time limit was reached."),
-    tr_later!("The conflict limit was reached."),
-    tr_later!("The work limit was reached."),
-    tr_later!("The memory limit was reached. Fewer robots or a smaller map need less."),
-    tr_later!("There were too many sets of robots to free to compare them all."),
-    tr_later!(
-        "This asks about a time after 20,000, which is later than the search looks at step by step."
-    ),
-    tr_later!("The search was cancelled."),
-    tr_later!("A plan and a bound contradicted each other, which is a fault of this program."),
-    tr_later!("What has already happened takes longer than that."),
-    tr_later!("{name} cannot do its task, even alone."),
-    tr_later!("{name} has more waypoints than can be planned for."),
-    tr_later!("The robots cannot all arrive."),
-    tr_later!("{one} and {two} cannot both arrive."),
-    tr_later!("{robots} cannot all arrive."),
-    tr_later!("{one} cannot arrive."),
-    tr_later!("{agent} has to go to {place}, where there is an obstacle now."),
-    tr_later!("An obstacle at {place} blocks the rest of the path of {agent}."),
-    tr_later!("The goal of {agent} is now {place}, which is not {bounds}."),
-    tr_later!("{agent} has to visit {place}, which is not {bounds}."),
-    tr_later!("The battery of {agent} does not last {bounds}."),
-    tr_later!("{agent} cannot do its task {bounds}, even alone."),
-    tr_later!("{agent} cannot arrive {bounds}, no matter when it waits."),
-    tr_later!(
-        "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive."
-    ),
-    tr_later!(
-        "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold."
-    ),
-    tr_later!("{robots} block each other: they cannot all stay in their tunnels."),
-    tr_later!("Plans that cost less were found only without the obstacles that move."),
-    tr_later!(
-        "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more."
-    ),
-    tr_later!(
-        "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
-    ),
-    tr_later!(
-        "Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too."
-    ),
-    tr_later!(
-        "Rules of the file's problem are left out of the search, so it is open whether a plan that keeps them costs as little as the bound."
-    ),
-    tr_later!(
-        "There is no plan for the goals that were chosen here. Another choice that the file allows may have one."
-    ),
-    tr_later!("The file leaves goals open: what a legal plan costs depends on which are chosen."),
-    tr_later!(
-        "The file has keys that are not heeded and may change the problem: {keys}. Whatever is said here is said for the scene without them."
-    ),
-    tr_later!("{agent} is at {cell} at time {time}, where the moving obstacle {obstacle} is."),
-    tr_later!(
-        "{agent} and the moving obstacle {obstacle} exchange {from} and {to} from time {time} to {next}."
-    ),
-    tr_later!("on its old path"),
-    tr_later!("in its tunnel"),
-    tr_later!("on any path"),
-    tr_later!("The robots"),
-    tr_later!("There is a better plan"),
-    tr_later!("list" => "{list} and {last}"),
-];
+/// A reason as a sentence, in the language that is spoken.
+pub fn reason(reason: &Reason) -> String {
+    match reason {
+        Reason::Stopped(stop) => stop.sentence().to_owned(),
+        Reason::StoppedByPerson => tr!("You stopped the search").to_owned(),
+        Reason::Alone { agent } => tr!("{name} cannot do its task, even alone.", name = agent),
+        Reason::ManyWaypoints { agent } => {
+            tr!(
+                "{name} has more waypoints than can be planned for.",
+                name = agent
+            )
+        }
+        Reason::Clash { agents } => clash(agents),
+        Reason::Cause(cause) => change::words::cause(cause),
+        Reason::PastTooLong => {
+            tr!("What has already happened takes longer than that.").to_owned()
+        }
+        Reason::Standstill { arrived, of } => tr!(
+            "Robots stood in each other's way for good: {arrived} of {all} were at their goals.",
+            arrived,
+            all = of
+        ),
+        Reason::Effort => {
+            tr!("The planner gave up: it looked at as much as it ever does.").to_owned()
+        }
+        Reason::LeastWithin { cost, within } => tr!(
+            "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",
+            n = within,
+            cost = name(*cost)
+        ),
+        Reason::Beaten => tr!("There is a better plan").to_owned(),
+        Reason::CheaperMeetMoving => {
+            tr!("Plans that cost less were found only without the obstacles that move.").to_owned()
+        }
+        Reason::BestMeetsMoving { meeting } => tr!(
+            "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more.",
+            meeting = meeting.sentence()
+        ),
+        Reason::BetterMeetsMoving => tr!(
+            "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
+        )
+        .to_owned(),
+        Reason::LeftOutRules => tr!(
+            "Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too."
+        )
+        .to_owned(),
+        Reason::BetterLeftOutRules => tr!(
+            "Rules of the file's problem are left out of the search, so it is open whether a plan that keeps them costs as little as the bound."
+        )
+        .to_owned(),
+        Reason::ChosenGoals => tr!(
+            "There is no plan for the goals that were chosen here. Another choice that the file allows may have one."
+        )
+        .to_owned(),
+        Reason::OpenGoals => {
+            tr!("The file leaves goals open: what a legal plan costs depends on which are chosen.")
+                .to_owned()
+        }
+        Reason::UnknownKeys { keys } => assumption::sentences(keys).join(" "),
+    }
+}
 
-/// A reason that the solver gave, in the language that is spoken.
-pub fn reason(given: &str) -> String {
-    retold(given, &REASONS)
+/// Agents that cannot all arrive, as a sentence; all of the scene where none is named.
+pub(crate) fn clash<S: AsRef<str>>(agents: &[S]) -> String {
+    let names: Vec<&str> = agents.iter().map(AsRef::as_ref).collect();
+    match names.as_slice() {
+        [] => tr!("The robots cannot all arrive.").to_owned(),
+        [one] => tr!("{one} cannot arrive.", one),
+        [one, two] => tr!("{one} and {two} cannot both arrive.", one, two),
+        names => tr!("{robots} cannot all arrive.", robots = and(names)),
+    }
 }
 
 /// How far a claim reaches that holds for plans of any makespan.
@@ -180,7 +179,7 @@ pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
 
 /// What is claimed of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {
-    let within = answer.within.filter(|_| !answer.complete);
+    let within = answer.reach.within();
     match (answer.status, within) {
         (Status::Optimal, None) => {
             tr!("No plan is better, no matter how many steps you allow.").to_owned()
@@ -219,7 +218,8 @@ pub fn may_differ(ended: Option<Ended>) -> bool {
 pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
     let early = matches!(answer.status, Status::Feasible | Status::Unknown);
     let within = answer
-        .within
+        .reach
+        .within()
         .filter(|_| early && !answer.bounds.is_empty())?;
     Some(tr!(
         "What is proved holds for plans of makespan at most {within}.",
@@ -228,8 +228,8 @@ pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
 }
 
 /// How far the answer to a question reaches; nothing where nothing is claimed.
-pub fn reach(complete: bool, within: Option<u32>) -> Option<String> {
-    match (complete, within) {
+pub fn reach(reach: Reach) -> Option<String> {
+    match (reach.is_complete(), reach.within()) {
         (true, _) => Some(tr!("This holds no matter how many steps you allow.").to_owned()),
         (false, Some(n)) => Some(tr!("This holds for plans of makespan at most {n}.", n)),
         (false, None) => None,

@@ -2,6 +2,7 @@
 
 use giveway_model::Instance;
 use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanRequest};
+use giveway_solve::words::reason;
 use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, serve};
 
 use crate::certificate::certify;
@@ -69,17 +70,17 @@ fn solved(task: &Task, answer: &SolveAnswer) -> Row {
         Status::Unknown => RowStatus::Unknown,
     };
     Row {
-        complete: answer.complete,
-        within: answer.within,
+        complete: answer.reach.is_complete(),
+        within: answer.reach.within(),
         costs: answer.costs,
         bounds: answer.bounds.clone(),
-        ..Row::bare(task, status, answer.reason.clone())
+        ..Row::bare(task, status, answer.reason.as_ref().map(reason))
     }
 }
 
 fn planned(task: &Task, answer: &PlanAnswer) -> Row {
     let (status, within) = match &answer.ended {
-        PlanEnd::Best { within } => (RowStatus::Optimal, *within),
+        PlanEnd::Best { reach } => (RowStatus::Optimal, reach.within()),
         PlanEnd::Refused { .. } => (RowStatus::Refused, None),
         PlanEnd::Alone { .. } => (RowStatus::Impossible, None),
         _ if answer.plan.is_some() => (RowStatus::Feasible, None),

@@ -89,9 +89,11 @@ fn solved(shows: Shows, instance: Instance) -> Option<(Instance, CertifyRequest)
     let within = matches!(shows, Shows::OptimalWithin | Shows::ImpossibleWithin).then_some(7);
     let answer = ask::best(&instance, within);
     let suits = match shows {
-        Shows::Impossible => answer.status == Status::Impossible && answer.complete,
-        Shows::ImpossibleWithin => answer.status == Status::Impossible && answer.within.is_some(),
-        Shows::OptimalWithin => answer.status == Status::Optimal && answer.within.is_some(),
+        Shows::Impossible => answer.status == Status::Impossible && answer.reach.is_complete(),
+        Shows::ImpossibleWithin => {
+            answer.status == Status::Impossible && answer.reach.within().is_some()
+        }
+        Shows::OptimalWithin => answer.status == Status::Optimal && answer.reach.within().is_some(),
         Shows::ChargesFirst => answer.costs.is_some_and(|costs| costs.charges > 0),
         _ => answer.status == Status::Optimal,
     };

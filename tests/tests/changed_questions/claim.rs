@@ -59,7 +59,7 @@ impl Claim<'_> {
             return;
         };
         let about = || format!("{answer:?} {}", self.course.told());
-        let within = core.within.map(|within| within - self.course.at);
+        let within = core.reach.within().map(|within| within - self.course.at);
         let all = self.has_plan(&core.facts, within);
         assert_ne!(all, Some(true), "{}", about());
         let needed = core.facts.iter().filter(|_| core.minimal && all.is_some());

@@ -159,7 +159,7 @@ fn what_a_question_contrasts_the_rest_with() {
         assert_eq!(answer.question, question);
         let asked = oracle::Question {
             instance: &instance,
-            within: answer.within.map(|within| within - course.at),
+            within: answer.reach.within().map(|within| within - course.at),
             cap: CAP,
         };
         let objective = instance.objective();

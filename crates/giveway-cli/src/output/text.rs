@@ -85,6 +85,13 @@ fn paint(style: Style, text: &str) -> String {
     format!("{style}{text}{style:#}")
 }
 
+/// How far a claim reaches: up to a makespan, or for every horizon.
+#[cfg(test)]
+fn reach_of(within: Option<u32>) -> giveway_solve::Reach {
+    let written = serde_json::json!({ "complete": within.is_none(), "within": within });
+    serde_json::from_value(written).unwrap()
+}
+
 /// What a test compares: the text as it reads without a terminal.
 #[cfg(test)]
 fn unpainted(text: &str) -> String {

@@ -144,7 +144,7 @@ fn solvable(responses: &[Response]) -> Result<Outcome, Why> {
     {
         let evidence = Evidence {
             plan: Some(plan.clone()),
-            proved: answer.status == Status::Optimal && answer.complete,
+            proved: answer.status == Status::Optimal && answer.reach.is_complete(),
             ..Evidence::default()
         };
         return Ok(Outcome::of(true, Why::Plan(costs), evidence));
@@ -175,7 +175,7 @@ fn answered(wanted: explain::Verdict, response: Option<&Response>) -> Result<Out
         return Err(proved::unexpected(response));
     };
     let verdict = answer.verdict;
-    if verdict == explain::Verdict::Unknown || !answer.complete {
+    if verdict == explain::Verdict::Unknown || !answer.reach.is_complete() {
         return Err(Why::Unknown(None));
     }
     let evidence = Evidence {
@@ -192,10 +192,10 @@ fn apart(costs: [Cost; 2], response: Option<&Response>) -> Result<Outcome, Why> 
     };
     // Two plans, each better in one cost than the other, are enough where each is best
     // in its own; one plan alone must be the whole front.
-    if front.status == Status::Impossible && front.complete {
+    if front.status == Status::Impossible && front.reach.is_complete() {
         return Ok(Outcome::of(false, Why::NoPlan, Evidence::default()));
     }
-    if front.status != Status::Optimal || !front.complete {
+    if front.status != Status::Optimal || !front.reach.is_complete() {
         return Err(Why::Unknown(None));
     }
     let count = front.front.len();
@@ -244,7 +244,7 @@ fn best_of_all(response: Option<&Response>, best: bool) -> Result<Outcome, Why> 
     let (Some(costs), Some(first)) = (audit.costs, audit.first_cost()) else {
         return Err(Why::Unknown(audit.reason.clone()));
     };
-    if audit.status == AuditStatus::Optimal && audit.complete {
+    if audit.status == AuditStatus::Optimal && audit.reach.is_complete() {
         let value = costs.get(first);
         let why = Why::Best { cost: first, value };
         return Ok(Outcome::of(best, why, Evidence::default()));

@@ -106,7 +106,9 @@ fn truth(what: &Quantity, scene: &Scene, response: Option<&Response>) -> Truth {
             }
         }
         Quantity::Points { .. } => match response {
-            Some(Response::Front(front)) if front.status == Status::Optimal && front.complete => {
+            Some(Response::Front(front))
+                if front.status == Status::Optimal && front.reach.is_complete() =>
+            {
                 let count = front.front.len() as u32;
                 Ok((number(count), Evidence::default()))
             }
@@ -147,7 +149,9 @@ const fn number(number: u32) -> Value {
 
 fn freedom(response: Option<&Response>) -> Result<&FreedomAnswer, Why> {
     match response {
-        Some(Response::Freedom(answer)) if answer.status == Status::Optimal && answer.complete => {
+        Some(Response::Freedom(answer))
+            if answer.status == Status::Optimal && answer.reach.is_complete() =>
+        {
             Ok(answer)
         }
         Some(Response::Freedom(answer)) => Err(Why::Unknown(answer.reason.clone())),

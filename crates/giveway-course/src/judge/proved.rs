@@ -17,10 +17,10 @@ pub(crate) enum Proved<'a> {
 /// What a solve answer proves.
 pub(super) fn answer(answer: &SolveAnswer) -> Result<Proved<'_>, Why> {
     match (answer.status, answer.costs, &answer.plan) {
-        (Status::Optimal, Some(costs), Some(plan)) if answer.complete => {
+        (Status::Optimal, Some(costs), Some(plan)) if answer.reach.is_complete() => {
             Ok(Proved::Best(costs, plan))
         }
-        (Status::Impossible, ..) if answer.complete => Ok(Proved::NoPlan),
+        (Status::Impossible, ..) if answer.reach.is_complete() => Ok(Proved::NoPlan),
         _ => Err(Why::Unknown(answer.reason.clone())),
     }
 }

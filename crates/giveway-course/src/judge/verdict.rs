@@ -3,7 +3,7 @@
 use giveway_model::check::Violation;
 use giveway_model::{Cell, Cost, Costs};
 use giveway_solve::change::Method;
-use giveway_solve::explain;
+use giveway_solve::{Reason, explain};
 
 use super::{Mark, Outside};
 use crate::lesson::{Comparison, Value};
@@ -38,8 +38,10 @@ pub enum Kind {
 pub enum Why {
     /// Nothing was done yet.
     Untouched,
-    /// The solver does not know; why, as a sentence, where it says so.
-    Unknown(Option<String>),
+    /// The solver does not know; why, where it says so.
+    Unknown(Option<Reason>),
+    /// The solver broke down; why, as a sentence.
+    SolverFailed(String),
     /// The solver refuses what is on the board, for a reason as a sentence.
     Refused(String),
 
@@ -218,7 +220,7 @@ impl Verdict {
 
     /// What is said where the solver broke down.
     pub(crate) fn unknown(sentence: String) -> Self {
-        Self::not_yet(Why::Unknown(Some(sentence)))
+        Self::not_yet(Why::SolverFailed(sentence))
     }
 
     pub(super) fn solved(why: Why) -> Self {

@@ -115,7 +115,7 @@ fn what_is_not_known_is_shared_only_when_that_is_said() {
     let one = lesson(&crossing(), &json!({}), &offers(&[2, 3]));
     let lost = |request: &Request| match serve(request, &SilentHost) {
         Response::Solved(answer) => Response::Solved(SolveAnswer {
-            complete: false,
+            reach: answer.reach.of_bounds(),
             ..answer
         }),
         other => other,

@@ -45,7 +45,7 @@ fn solved(scene: &Scene, objective: Option<Objective>) -> Costs {
         ..SolveRequest::default()
     });
     match serve(&request, &SilentHost) {
-        Response::Solved(answer) if answer.complete => answer.costs.unwrap(),
+        Response::Solved(answer) if answer.reach.is_complete() => answer.costs.unwrap(),
         other => panic!("{other:?}"),
     }
 }
@@ -140,7 +140,7 @@ fn numbers_in_texts_are_true() {
                 limits: Limits::default(),
             });
             match serve(&request, &SilentHost) {
-                Response::Explained(answer) if answer.complete => {
+                Response::Explained(answer) if answer.reach.is_complete() => {
                     has(&answer.costs.unwrap(), claim.costs.as_ref(), &place);
                 }
                 other => panic!("{place}: {other:?}"),

@@ -392,8 +392,8 @@ fn a_claim_up_to_a_horizon_is_not_impossible() {
     let giveway_solve::Response::Solved(answer) = &mut response else {
         panic!("{response:?}");
     };
-    answer.complete = false;
-    answer.within = Some(20);
+    let within = serde_json::json!({ "complete": false, "within": 20 });
+    answer.reach = serde_json::from_value(within).unwrap();
     assert!(!solved(&response));
 }
 

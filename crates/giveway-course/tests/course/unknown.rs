@@ -4,7 +4,7 @@
 use giveway_course::judge::{Judging, Situation, begin, conclude};
 use giveway_course::lesson::{Condition, Task};
 use giveway_solve::explain::Verdict;
-use giveway_solve::{Request, Response, SilentHost, Status, serve};
+use giveway_solve::{Reach, Request, Response, SilentHost, Status, serve};
 
 use super::tasks::each_solution;
 
@@ -19,8 +19,8 @@ enum Cut {
 
 /// The same answer, proving less.
 fn cut(mut response: Response, cut: Cut) -> Response {
-    let unproved = |status: &mut Status, complete: &mut bool| {
-        *complete = false;
+    let unproved = |status: &mut Status, reach: &mut Reach| {
+        *reach = reach.of_bounds();
         *status = match (*status, cut) {
             (status, Cut::Within) => status,
             (Status::Optimal | Status::Feasible, Cut::Short) => Status::Feasible,
@@ -28,17 +28,17 @@ fn cut(mut response: Response, cut: Cut) -> Response {
         };
     };
     match &mut response {
-        Response::Solved(answer) => unproved(&mut answer.status, &mut answer.complete),
-        Response::Front(answer) => unproved(&mut answer.status, &mut answer.complete),
-        Response::Freedom(answer) => unproved(&mut answer.status, &mut answer.complete),
+        Response::Solved(answer) => unproved(&mut answer.status, &mut answer.reach),
+        Response::Front(answer) => unproved(&mut answer.status, &mut answer.reach),
+        Response::Freedom(answer) => unproved(&mut answer.status, &mut answer.reach),
         Response::Explained(answer) => {
-            answer.complete = false;
+            answer.reach = answer.reach.of_bounds();
             if matches!(cut, Cut::Short) {
                 answer.verdict = Verdict::Unknown;
             }
         }
         Response::Audited(answer) => {
-            answer.complete = false;
+            answer.reach = answer.reach.of_bounds();
             answer.better = None;
             answer.better_costs = None;
         }

@@ -342,7 +342,7 @@ pub(super) fn charge(agent: &str, time: usize, arrival: usize, why: NoCharge) ->
     }
 }
 
-pub(super) fn moving(agent: &str, obstacle: &str, cell: Cell, time: usize) -> String {
+pub(super) fn moving(agent: &str, obstacle: &str, cell: Cell, time: u32) -> String {
     tr!(
         "{agent} is at {cell} at time {time}, where the moving obstacle {obstacle} is.",
         agent,
@@ -356,7 +356,7 @@ pub(super) fn moving_swap(
     agent: &str,
     obstacle: &str,
     (from, to): (Cell, Cell),
-    time: usize,
+    time: u32,
 ) -> String {
     tr!(
         "{agent} and the moving obstacle {obstacle} exchange {from} and {to} from time {time} to {next}.",

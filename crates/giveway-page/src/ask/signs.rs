@@ -22,8 +22,8 @@ pub(super) fn verdict_words<'a>(
     // Where the world changed it is what the method found that keeps to the least.
     let tried = state.document.mode.comparing().into_iter();
     let mut tried = tried.flat_map(|comparing| comparing.tried.iter().rev());
-    let found = tried.find_map(|tried| tried.told.result.reason.as_deref());
-    let given = found.or(asking.about.solved.reason.as_deref());
+    let found = tried.find_map(|tried| tried.told.result.reason.as_ref());
+    let given = found.or(asking.about.solved.reason.as_ref());
     given.map_or(Cow::Borrowed(&told.words), |given| {
         // A reason names one cause alone.
         Cow::Owned(reason(given) + &other_causes(asking).unwrap_or_default())

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_formats::ForeignPlan;
 use giveway_model::check::{Rule, Violation, check};
 use giveway_model::{Instance, Plan, Version};
-use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
+use giveway_solve::{Reach, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::seen::bursts;
 use crate::{Answer, Draft};
@@ -92,8 +92,7 @@ pub(crate) fn unproved() -> SolveAnswer {
         status: Status::Feasible,
         costs: None,
         bounds: BTreeMap::new(),
-        within: None,
-        complete: false,
+        reach: Reach::default(),
         ended: None,
         reason: None,
         plan: None,

@@ -100,7 +100,7 @@ fn claimed_of_all(audit: &Audit, known: &Known) -> Vec<Fact> {
     let first = audit.objective().costs().first();
     let mut proved = known.bounds.clone();
     let ours = audit.ours.as_ref();
-    let is_for_ever = ours.is_some_and(|ours| ours.solved.complete);
+    let is_for_ever = ours.is_some_and(|ours| ours.solved.reach.is_complete());
     proved.retain(|cost, _| Some(cost) == first && is_for_ever);
     let bounds = claimed_bounds(instance, &plans, plan.file.bounds, &proved);
     let sentences = bounds.iter().map(ClaimedBound::sentence);

@@ -2,7 +2,7 @@
 //! names.
 
 use giveway_model::{Cell, Cost, tr};
-use giveway_solve::freedom::{Closed, FreedomAnswer, Proved};
+use giveway_solve::freedom::{Closed, FreedomAnswer};
 
 use super::words::{outcome, price, worse};
 use crate::board::CELL;
@@ -66,14 +66,6 @@ pub fn pressed(state: &State, point: Point) -> Option<Cell> {
     let down = Number::TOP - Number::LEFT..=CELL;
     let is_hit = across.contains(&x) && down.contains(&y);
     (is_hit && number.title.is_some()).then_some(cell)
-}
-
-/// How far a proof reaches, where that is not for ever.
-pub(super) const fn within(proved: Proved) -> Option<u32> {
-    match proved {
-        Proved::ForEver => None,
-        Proved::Within(makespan) => Some(makespan),
-    }
 }
 
 /// Whether closing a cell makes something worse that could be looked at: that nothing

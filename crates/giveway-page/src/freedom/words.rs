@@ -6,7 +6,7 @@ use giveway_model::{Cost, Objective, tr, tr_later};
 use giveway_solve::Status;
 use giveway_solve::freedom::{Closed, FreedomAnswer, FreedomPart, PlanCount};
 
-use super::{Freedom, cells, is_best};
+use super::{Freedom, is_best};
 use crate::words::grouped;
 use crate::{Activity, State};
 
@@ -135,10 +135,12 @@ pub(super) fn outcome(told: &FreedomAnswer, closed: &Closed) -> Option<String> {
 
 /// How far what closing a cell comes to is proved.
 pub(super) fn reach(closed: &Closed) -> Option<String> {
-    let (Closed::Optimal { proved, .. } | Closed::Impossible { proved, .. }) = closed else {
+    let (Closed::Optimal { reach, .. } | Closed::Impossible { reach, .. }) = closed else {
         return None;
     };
-    cells::within(*proved).map(|n| tr!("Among plans of makespan at most {n}.", n))
+    reach
+        .within()
+        .map(|n| tr!("Among plans of makespan at most {n}.", n))
 }
 
 /// `2 steps`, `2 in the sum of costs`, `2 more moves`.

@@ -58,7 +58,7 @@ impl Front {
         Self {
             points: points.collect(),
             status: front.status,
-            within: front.within.filter(|_| !front.complete),
+            within: front.reach.within(),
             costs: objective.costs().to_vec(),
             told: front,
             draft,
@@ -76,8 +76,7 @@ impl Front {
             status: self.status,
             costs: None,
             bounds: BTreeMap::new(),
-            within: self.within,
-            complete: self.told.complete,
+            reach: self.told.reach,
             ended: None,
             reason: None,
             plan: None,

@@ -3,10 +3,10 @@
 use crate::words;
 use crate::{BoardAction, SolveAction, State, ViewAction, WorkerAction};
 use giveway_model::Costs;
-use giveway_solve::Response;
+use giveway_solve::{Reach, Response};
 
 use super::*;
-use crate::sample::{draft, proved, warehouse};
+use crate::sample::{draft, proved, reach, warehouse};
 use crate::{Action, Phase, reduce};
 
 /// The warehouse's plan as if it cost so much, makespan and sum of costs.
@@ -33,8 +33,11 @@ fn solved(status: Status, costs: &[(u32, u32)]) -> State {
         giveway: Version,
         status,
         ended: None,
-        complete: status == Status::Optimal || costs.is_empty(),
-        within: None,
+        reach: if status == Status::Optimal || costs.is_empty() {
+            reach(None)
+        } else {
+            Reach::default()
+        },
         front: costs.iter().copied().map(point).collect(),
     };
     let response = Box::new(Response::Front(front));

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::check::Rule;
 use giveway_model::{Costs, Path, Plan, Version, check};
 use giveway_solve::plan::{NodeFate, ToldConflict, words};
-use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
+use giveway_solve::{Reach, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::{Method, OrderRun, TreeRun, index};
 use crate::{Answer, Draft, State};
@@ -104,8 +104,7 @@ fn answer(draft: &Rc<Draft>, mut plan: Plan) -> Rc<Answer> {
             ..Costs::default()
         }),
         bounds: std::collections::BTreeMap::new(),
-        within: None,
-        complete: false,
+        reach: Reach::default(),
         ended: None,
         reason: None,
         plan: Some(plan),

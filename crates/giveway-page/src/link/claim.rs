@@ -1,10 +1,14 @@
 //! What is claimed of a plan, as this browser keeps it: numbers joined by
-//! points, 0 for what is not there and 1 more for what is.
+//! points, 0 for what is not there and 1 more for what is; behind `!!` the reason, in letters.
+//! Behind one `!` it was a sentence once, in the language of the page: the claim is read, and
+//! the reason where it is one of the limits.
 
 use giveway_model::{Cost, sorting};
-use giveway_solve::{Ended, SolveAnswer, Status};
+use giveway_solve::{Ended, Reason, SolveAnswer, Status};
+use serde_json::json;
 
-use super::text::{escape, numbers, unescape};
+use super::answers;
+use super::text::numbers;
 
 const STATUSES: [Status; 4] = [
     Status::Optimal,
@@ -31,8 +35,8 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
     let count = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
     let mut parts = vec![
         status.unwrap_or(1) as u32,
-        u32::from(solved.complete),
-        plus_one(solved.within),
+        u32::from(solved.reach.is_complete()),
+        plus_one(solved.reach.within()),
     ];
     let bounds = Cost::ALL.map(|cost| plus_one(solved.bounds.get(&cost).copied()));
     parts.extend(bounds);
@@ -42,8 +46,8 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
     parts.push(format!("{:.0}", stats.cpu_seconds * 1000.0));
     let ended = ENDS.iter().position(|&ended| solved.ended == Some(ended));
     parts.extend(ended.map(|place| place.to_string()));
-    let reason = escape(solved.reason.as_deref().unwrap_or_default());
-    format!("{}!{reason}", parts.join("."))
+    let reason = solved.reason.as_ref().map(answers::write);
+    format!("{}!!{}", parts.join("."), reason.unwrap_or_default())
 }
 
 /// Takes a claim in; `None`, and the answer stays as it was, where the claim is
@@ -63,16 +67,22 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
     if is_plan != solved.plan.is_some() {
         return None;
     }
-    let reason = unescape(reason)?;
+    let ended = ended.first();
+    let ended = ended.and_then(|&place| ENDS.get(place as usize).copied());
+    let reason = match reason.strip_prefix('!') {
+        Some("") => None,
+        Some(letters) => answers::read(letters)?,
+        None => ended.and_then(Ended::limit).map(Reason::Stopped),
+    };
+    let reach = json!({ "complete": *complete == 1, "within": within.checked_sub(1) });
+    let reach = serde_json::from_value(reach).ok()?;
     solved.status = status;
-    solved.complete = *complete == 1;
-    solved.within = within.checked_sub(1);
+    solved.reach = reach;
     let bounds = Cost::ALL.into_iter().zip(bounds);
     let bounds = bounds.filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)));
     solved.bounds = sorting::map(bounds);
-    let ended = ended.first();
-    solved.ended = ended.and_then(|&place| ENDS.get(place as usize).copied());
-    solved.reason = Some(reason).filter(|reason| !reason.is_empty());
+    solved.ended = ended;
+    solved.reason = reason;
     solved.stats.variables = (*variables).into();
     solved.stats.clauses = (*clauses).into();
     solved.stats.conflicts = (*conflicts).into();

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use super::text::escape;
-use super::{From, ask, audit, change, claim, knowledge, message, plan, scene, steering};
+use super::{From, answers, ask, audit, change, claim, knowledge, plan, scene, steering};
 use crate::{Answer, Colours, Document, Looks};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
@@ -88,11 +88,11 @@ fn kept(document: &Document) -> String {
         && document.front().is_some()
     {
         text += "&front=";
-        text += &message::write(front.told());
+        text += &answers::write(front.told());
     }
     if let Some(report) = document.report() {
         text += "&report=";
-        text += &message::write(report);
+        text += &answers::write(report);
     }
     if let Some(changing) = document.mode.changing() {
         let changes = changing.changes().changes;
@@ -102,7 +102,7 @@ fn kept(document: &Document) -> String {
     }
     if let Some(comparing) = document.mode.comparing() {
         let chosen = comparing.chosen.map_or(0, |chosen| chosen + 1);
-        let told = message::write(&*comparing.told);
+        let told = answers::write(&*comparing.told);
         let _ = write!(text, "&compared={chosen}!{told}");
     }
     if let Some(own) = document
@@ -119,11 +119,11 @@ fn kept(document: &Document) -> String {
         if let Some(told) = &asking.told {
             let _ = write!(text, "&shows-other={}", u32::from(asking.shows_other));
             text += "&told=";
-            text += &message::write(&**told);
+            text += &answers::write(&**told);
         }
         if let Some(report) = &asking.report {
             text += "&told-report=";
-            text += &message::write(&**report);
+            text += &answers::write(&**report);
         }
     }
     text

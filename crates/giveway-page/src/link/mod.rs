@@ -6,6 +6,7 @@
 //! &plan=2rR...;...&knows=4&slept=1.4;&time=7&ask=wait;A2!at.3.1
 //! ```
 
+mod answers;
 mod arrived;
 mod ask;
 mod audit;

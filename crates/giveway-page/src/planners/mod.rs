@@ -6,8 +6,8 @@ mod words;
 
 use std::rc::Rc;
 
-use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanStats, Planner, words as told_words};
-use giveway_solve::{SolveAnswer, Stats, Status};
+use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanStats, Planner};
+use giveway_solve::{Reach, Reason, SolveAnswer, Stats, Status};
 
 use crate::{Answer, Document, Draft};
 
@@ -123,24 +123,30 @@ impl Runs {
 /// bounds alone.
 pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
     let plan = told.plan.clone()?;
-    let is_best =
-        told.objective.costs().len() == 1 && matches!(told.ended, PlanEnd::Best { within: None });
+    let is_single = told.objective.costs().len() == 1;
+    let best = match told.ended {
+        PlanEnd::Best { reach } if is_single && reach.is_complete() => Some(reach),
+        _ => None,
+    };
     Some(SolveAnswer {
         giveway: told.giveway,
-        status: if is_best {
+        status: if best.is_some() {
             Status::Optimal
         } else {
             Status::Feasible
         },
         costs: told.costs,
         bounds: told.bounds.clone(),
-        within: None,
-        complete: is_best,
+        reach: best.unwrap_or_default(),
         ended: None,
         reason: match &told.ended {
             PlanEnd::Stopped { reason } => Some(reason.clone()),
-            PlanEnd::Best { within: Some(_) } => told_words::notes(told).into_iter().next(),
-            _ => None,
+            PlanEnd::Best { reach } => least_within(told, *reach),
+            PlanEnd::Found
+            | PlanEnd::NoOrderWorks { .. }
+            | PlanEnd::Horizon { .. }
+            | PlanEnd::Refused { .. }
+            | PlanEnd::Alone { .. } => None,
         },
         plan: Some(plan),
         stats: Stats {
@@ -149,4 +155,10 @@ pub(crate) fn solved(told: &PlanAnswer) -> Option<SolveAnswer> {
         },
         trace: None,
     })
+}
+
+/// That no plan up to a makespan has less of the first cost.
+fn least_within(told: &PlanAnswer, reach: Reach) -> Option<Reason> {
+    let (&cost, within) = (told.objective.costs().first()?, reach.within()?);
+    Some(Reason::LeastWithin { cost, within })
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::{Question, Version, question::fits, tr};
 use giveway_solve::explain::{ExplainAnswer, Repair};
-use giveway_solve::{Limits, SolveAnswer, Stats, Status};
+use giveway_solve::{Limits, Reach, SolveAnswer, Stats, Status};
 
 use super::document::{amend, edit_scene, put};
 use super::{solve, stroke};
@@ -174,8 +174,7 @@ fn show(state: &mut State, repair: Repair) {
         status: Status::Feasible,
         costs: Some(repair.costs),
         bounds: BTreeMap::new(),
-        within: None,
-        complete: false,
+        reach: Reach::default(),
         ended: None,
         reason: None,
         plan: Some(repair.plan),

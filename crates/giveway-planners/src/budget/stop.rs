@@ -1,9 +1,10 @@
 //! Why the work stopped early, in a sentence.
 
+use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::tr;
 
 /// Why the work stopped early.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum Stop {
     /// The seconds ran out.
     Time,

@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Objective, Plan, Version, check::Violation, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use crate::{Stats, Status};
+use crate::{Reach, Reason, Stats, Status};
 
 /// What is known of a plan in the end.
 #[derive(
@@ -25,7 +25,7 @@ pub enum AuditStatus {
 }
 
 /// The answer to an audit request.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct AuditAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -43,11 +43,9 @@ pub struct AuditAnswer {
     /// of a later one.
     #[borsh(deserialize_with = "read_map")]
     pub bounds: BTreeMap<Cost, u32>,
-    /// The makespan up to which the bounds, and what is claimed with them, were
-    /// proved; `null` where they hold whatever the horizon.
-    pub within: Option<u32>,
-    /// Whether they hold whatever the horizon.
-    pub complete: bool,
+    /// How far the bounds, and what is claimed with them, reach.
+    #[serde(flatten)]
+    pub reach: Reach,
     /// What is known of the plan.
     pub status: AuditStatus,
     /// How far a legal plan may be from the best: its first cost beyond the bound, as
@@ -62,9 +60,9 @@ pub struct AuditAnswer {
     /// What is known of the best plan: `optimal` where `better`, or else the audited
     /// plan, is proved to be it; `impossible` where there is no legal plan at all.
     pub search: Status,
-    /// Why something is not known, or why there is no legal plan, as a sentence.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// Why something is not known, or why there is no legal plan.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// How much work it took.
     pub stats: Stats,
 }

@@ -38,8 +38,7 @@ pub(super) fn conclude(objective: Objective, report: Report, search: SolveAnswer
         objective,
         costs: report.costs,
         bounds: search.bounds,
-        within: search.within,
-        complete: search.complete,
+        reach: search.reach,
         status,
         gap,
         better,
@@ -76,6 +75,6 @@ fn keeps(objective: &Objective, own: &Costs, bounds: &BTreeMap<Cost, u32>) -> bo
 
 /// A search of which nothing is believed.
 fn nothing(stats: Stats) -> SolveAnswer {
-    let reason = Stop::Contradiction.sentence().to_owned();
-    SolveAnswer::without_plan(Status::Unknown, None, (Ended::Fault, reason), stats)
+    let reason = (Ended::Fault, Stop::Contradiction.into());
+    SolveAnswer::without_plan(Status::Unknown, None, reason, stats)
 }

@@ -7,7 +7,6 @@ use giveway_model::{Cost, Instance, check::check};
 use super::{AuditAnswer, AuditRequest, conclude::conclude};
 use crate::{
     Host, Progress, Refusal, SolveAnswer, Status, assumed,
-    judged::told,
     problem::Problem,
     search::{Bounded, Horizon, LoneBound, Minima, reach_of_bounds},
     solve::{self, Task},
@@ -58,7 +57,7 @@ fn best(task: &Task, at_least: u32) -> SolveAnswer {
             *known = bound.at_least().max(*known);
         }
         let reach = reach_of_bounds(&problem, horizon, &task.objective, &answer.bounds, &lone);
-        (answer.complete, answer.within) = told(Some(reach));
+        answer.reach = reach.into();
     }
     answer
 }

@@ -5,7 +5,7 @@ use giveway_model::{Assumption, Cost, Costs, assumption::left_out, tr};
 
 use super::{AuditAnswer, AuditStatus};
 use crate::Status;
-use crate::words::Headline;
+use crate::words::{Headline, reason};
 
 /// How far a cost is above the best one, in percent with one decimal.
 ///
@@ -202,8 +202,8 @@ pub fn notes(answer: &AuditAnswer) -> Vec<String> {
             });
         }
         (None, false) if answer.search == Status::Impossible => {
-            notes.push(match answer.within {
-                Some(n) if !answer.complete => {
+            notes.push(match answer.reach.within() {
+                Some(n) => {
                     tr!("There is no legal plan, within makespan {n}.", n)
                 }
                 _ => tr!("There is no legal plan, no matter how many steps you allow.").to_owned(),
@@ -211,7 +211,7 @@ pub fn notes(answer: &AuditAnswer) -> Vec<String> {
         }
         _ => {}
     }
-    notes.extend(answer.reason.as_deref().map(sentence));
+    notes.extend(answer.reason.as_ref().map(|given| sentence(&reason(given))));
     notes
 }
 
@@ -240,8 +240,8 @@ fn reach(answer: &AuditAnswer) -> String {
 
 /// Among which plans, where not all: ` of makespan at most 40`.
 fn among(answer: &AuditAnswer) -> String {
-    match answer.within {
-        Some(within) if !answer.complete => tr!(" of makespan at most {within}", within),
+    match answer.reach.within() {
+        Some(within) => tr!(" of makespan at most {within}", within),
         _ => String::new(),
     }
 }

@@ -1,41 +1,45 @@
 //! The answer: for each time, what each method makes of it.
 
-use std::fmt;
-
 use giveway_model::{Cell, Costs, Version};
-use serde::de::{MapAccess, Visitor};
 use serde::ser::SerializeMap;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::Method;
 use crate::SolveAnswer;
 
-/// Why a method had to let agents go their own way, or why there is no plan.
-#[derive(
-    Clone,
-    Debug,
-    PartialEq,
-    Eq,
-    Serialize,
-    Deserialize,
-    borsh::BorshSerialize,
-    borsh::BorshDeserialize,
-)]
+/// Why a method had to let agents go their own way, or why there is no plan. In JSON it has
+/// its sentence, too, under `text`.
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct Cause {
     /// The agent.
     pub agent: String,
     /// What keeps it from what the method asks of it.
     pub kind: CauseKind,
-    /// Where; `null` where it is no cell alone.
+    /// Where; `None` where it is no cell alone.
     pub cell: Option<Cell>,
     /// Where agents block each other: all of them.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub agents: Vec<String>,
-    /// The makespan up to which that was shown; `null` where it holds whatever
-    /// the horizon.
+    /// The makespan up to which that was shown; `None` where it holds for every horizon.
     pub within: Option<u32>,
-    /// The same as a sentence.
-    pub text: String,
+    /// The method that holds them; `replan` where no plan at all would do.
+    pub method: Method,
+    /// Whether one of the agents that block each other has a battery.
+    pub has_batteries: bool,
+}
+
+impl Serialize for Cause {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(None)?;
+        map.serialize_entry("agent", &self.agent)?;
+        map.serialize_entry("kind", &self.kind)?;
+        map.serialize_entry("cell", &self.cell)?;
+        if !self.agents.is_empty() {
+            map.serialize_entry("agents", &self.agents)?;
+        }
+        map.serialize_entry("within", &self.within)?;
+        map.serialize_entry("text", &super::words::cause(self))?;
+        map.end()
+    }
 }
 
 /// What keeps an agent from what a method asks of it.
@@ -68,9 +72,7 @@ pub enum CauseKind {
 
 /// What one method makes of the changes of one time. The plan runs from time 0,
 /// and so do costs and bounds.
-#[derive(
-    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
-)]
+#[derive(Clone, Debug, PartialEq, Serialize, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct MethodAnswer {
     /// The plan, and what is proved of it.
     #[serde(flatten)]
@@ -88,7 +90,7 @@ pub struct MethodAnswer {
     /// Whether it is proved that no fewer agents could be freed.
     pub fewest: bool,
     /// The makespan up to which that is proved; left out where it holds for every horizon.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub fewest_within: Option<u32>,
     /// Why agents were freed, or why there is no plan.
     pub cause: Option<Cause>,
@@ -118,34 +120,8 @@ impl Serialize for Methods {
     }
 }
 
-impl<'de> Deserialize<'de> for Methods {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct InOrder;
-
-        impl<'de> Visitor<'de> for InOrder {
-            type Value = Methods;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an object by methods")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Methods, A::Error> {
-                let mut methods = Vec::new();
-                while let Some(entry) = map.next_entry()? {
-                    methods.push(entry);
-                }
-                Ok(Methods(methods))
-            }
-        }
-
-        deserializer.deserialize_map(InOrder)
-    }
-}
-
 /// The changes of one time, and how to go on.
-#[derive(
-    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
-)]
+#[derive(Clone, Debug, PartialEq, Serialize, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct Step {
     /// The time.
     pub at: u32,
@@ -159,9 +135,7 @@ pub struct Step {
 }
 
 /// The answer to a change request.
-#[derive(
-    Clone, Debug, PartialEq, Serialize, Deserialize, borsh::BorshSerialize, borsh::BorshDeserialize,
-)]
+#[derive(Clone, Debug, PartialEq, Serialize, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct ChangeAnswer {
     /// The format's version.
     pub giveway: Version,

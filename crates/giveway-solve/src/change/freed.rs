@@ -23,7 +23,7 @@ use super::{
 use crate::{
     budget::{Budget, Stop},
     problem::{HopelessAlone, Problem, ProblemError},
-    search::{Aim, Bounded, ForEver, Horizon, Reach, find},
+    search::{Aim, Bounded, ForEver, Horizon, Proved, find},
     single::Bounds,
     terrain::Terrain,
 };
@@ -163,7 +163,7 @@ impl Case<'_, '_> {
             (Some(_), _) => Ok(Exists::Yes),
             (None, Some(stop)) => Err(stop),
             (None, None) => Ok(Exists::No {
-                within: verdict.reach.and_then(Reach::within),
+                within: verdict.reach.and_then(Proved::within),
             }),
         }
     }

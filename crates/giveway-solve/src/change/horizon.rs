@@ -1,10 +1,10 @@
 //! The horizon that a person set, which may lie before the time of a change: what
 //! is past then cannot be any sooner.
 
-use giveway_model::{Cost, tr};
+use giveway_model::Cost;
 
 use super::MethodAnswer;
-use crate::Status;
+use crate::{Reason, Status, search::Proved};
 
 /// The answer with nothing claimed, and no plan, beyond a makespan.
 pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAnswer {
@@ -19,9 +19,8 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
         } else {
             Status::Unknown
         };
-        result.complete = false;
-        result.within = proved.then_some(within);
-        result.reason = Some(tr!("What has already happened takes longer than that.").to_owned());
+        result.reach = proved.then_some(Proved::Within(within)).into();
+        result.reason = Some(Reason::PastTooLong);
         (result.plan, result.costs) = (None, None);
         for names in [
             &mut answer.kept,
@@ -38,7 +37,7 @@ pub(super) fn hold_to(within: Option<u32>, mut answer: MethodAnswer) -> MethodAn
     }
     // The search had no steps left at all: that shows nothing beyond what was asked.
     let capped = |shown: Option<u32>| shown.map(|shown| shown.min(within));
-    result.within = capped(result.within);
+    result.reach = result.reach.up_to(within);
     answer.fewest_within = capped(answer.fewest_within);
     if let Some(cause) = &mut answer.cause {
         cause.within = capped(cause.within);

@@ -17,7 +17,7 @@ use crate::{
     Progress,
     budget::Stop,
     problem::Problem,
-    search::{Bounded, Contact, Reach, Verdict, solve},
+    search::{Bounded, Contact, Proved, Verdict, solve},
     walk::Walk,
 };
 use answer::{answer, without_search};
@@ -145,7 +145,7 @@ fn free_fewest(
     before: &MethodFound,
     fewest: Fewest,
 ) -> Result<MethodFound, Stop> {
-    let shown = before.verdict.reach.and_then(Reach::within);
+    let shown = before.verdict.reach.and_then(Proved::within);
     let within = match shown {
         Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.snapshot.at + within),
         _ => None,
@@ -154,7 +154,7 @@ fn free_fewest(
     let fewest_within = fewest.within.map(|within| case.snapshot.at + within);
     let mut best: Option<MethodFound> = None;
     let mut stop = fewest.left;
-    let mut reach: Option<Reach> = None;
+    let mut reach: Option<Proved> = None;
     for freed in fewest.sets {
         let problem = match case.problem(&freed) {
             Ok(problem) => problem,

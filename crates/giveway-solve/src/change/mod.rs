@@ -19,7 +19,7 @@ mod keep;
 mod method;
 mod request;
 mod serve;
-mod words;
+pub(crate) mod words;
 
 #[cfg(test)]
 mod tests;

@@ -1,21 +1,21 @@
 //! Causes, and what else there is to say of a method, as sentences.
 
-use giveway_model::{Cell, tr, words::and};
+use giveway_model::{tr, words::and};
 
-use super::{CauseKind, Method, MethodAnswer};
-use crate::solve::clash_sentence;
-use crate::words::reason as told;
+use super::{Cause, CauseKind, Method, MethodAnswer};
+use crate::words::{clash, reason};
 
-/// What keeps an agent from what a method asks of it; of agents that block each other it
-/// is also told whether one of them has a battery.
-pub(super) fn cause(
-    method: Method,
-    agent: &str,
-    kind: CauseKind,
-    cell: Option<Cell>,
-    agents: &[String],
-    has_batteries: bool,
-) -> String {
+/// A cause as a sentence.
+pub(crate) fn cause(cause: &Cause) -> String {
+    let Cause {
+        agent,
+        kind,
+        cell,
+        agents,
+        within: _,
+        method,
+        has_batteries,
+    } = cause;
     let place = cell.map_or_else(
         || tr!("a place" => "there").to_owned(),
         |cell| cell.to_string(),
@@ -66,10 +66,7 @@ pub(super) fn cause(
             agent,
             bounds
         ),
-        (CauseKind::Blocked, Method::Replan) => {
-            let names: Vec<&str> = agents.iter().map(String::as_str).collect();
-            clash_sentence(&names)
-        }
+        (CauseKind::Blocked, Method::Replan) => clash(agents),
         (CauseKind::Blocked, _) if agents.len() < 2 => {
             tr!(
                 "{agent} cannot arrive {bounds}, no matter when it waits.",
@@ -77,7 +74,7 @@ pub(super) fn cause(
                 bounds
             )
         }
-        (CauseKind::Blocked, Method::Revise) if has_batteries => tr!(
+        (CauseKind::Blocked, Method::Revise) if *has_batteries => tr!(
             "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold.",
             robots = list(agents)
         ),
@@ -120,12 +117,14 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
     let mut notes = Vec::new();
     match (&answer.cause, &answer.result.reason) {
         (Some(cause), _) => {
-            notes.push(told(&cause.text));
+            notes.push(self::cause(cause));
             if let Some(within) = cause.within {
                 notes.push(tr!("That is shown up to makespan {within}.", within));
             }
         }
-        (None, Some(reason)) if answer.result.plan.is_none() => notes.push(told(reason)),
+        (None, Some(given)) if answer.result.plan.is_none() => {
+            notes.push(reason(given));
+        }
         _ => {}
     }
     if !answer.freed.is_empty() && answer.result.plan.is_some() {

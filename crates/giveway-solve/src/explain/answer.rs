@@ -4,6 +4,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Cost, Costs, Plan, check::Violation};
 use serde::{Deserialize, Serialize};
 
+use crate::Reach;
+
 /// What an agent has more of than in a better plan.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Excess {
@@ -186,10 +188,9 @@ pub struct Core {
     /// Whether each fact was shown to be needed in the set: with only the others
     /// of the set there is a plan.
     pub minimal: bool,
-    /// Whether "no plan" holds whatever the horizon.
-    pub complete: bool,
-    /// The makespan up to which it holds; `null` where complete.
-    pub within: Option<u32>,
+    /// How far "no plan" reaches.
+    #[serde(flatten)]
+    pub reach: Reach,
     /// Further sets that make it impossible, too, where leaving out one fact of
     /// this one does not help (leaving a whole robot out apart). They share no
     /// fact with this set and with each other, or as few as was found. There may

@@ -18,7 +18,7 @@ use crate::{
     impose::limit_costs,
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
-    search::{Aim, Bounded, Horizon, Reach, Verdict, find},
+    search::{Aim, Bounded, Horizon, Proved, Verdict, find},
     walk::{Walk, of_plan, to_plan},
 };
 
@@ -52,7 +52,7 @@ pub(crate) struct Found {
     /// Its costs.
     pub(crate) costs: Option<Costs>,
     /// How far the claim reaches; `None` where nothing was settled.
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
     /// Agents that cannot all arrive, where there is no plan and some are known.
     pub(crate) clash: Vec<String>,
     /// The horizon of the search.
@@ -91,7 +91,7 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                reach: Some(Reach::ForEver(reason.into())),
+                reach: Some(Proved::ForEver(reason.into())),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
@@ -105,7 +105,7 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
         if let Err(unmeetable) = limit_costs(condition, &mut limits) {
             return Found {
                 status: Status::Impossible,
-                reach: Some(Reach::ForEver(unmeetable.into())),
+                reach: Some(Proved::ForEver(unmeetable.into())),
                 horizon: horizon.latest(),
                 ..nothing
             };

@@ -16,7 +16,7 @@ use super::{
     group::{Group, without},
     group_mus::{CoreFound, Inquiry, Tried, group_mus_avoiding},
 };
-use crate::search::Reach;
+use crate::search::Proved;
 
 /// Further sets that are looked for.
 const MOST_FURTHER: usize = 2;
@@ -29,7 +29,7 @@ pub(crate) struct Refuted<'a> {
     /// The horizon, where a person set one.
     pub(crate) deadline: Option<u32>,
     /// How far it is proved that there is no plan.
-    pub(crate) reach: Reach,
+    pub(crate) reach: Proved,
 }
 
 /// Marks the facts of a minimal set that help, and adds further sets where none

@@ -13,7 +13,7 @@ use crate::{
     budget::Budget,
     impose::limit_costs,
     problem::{Problem, Relaxed},
-    search::{Before, Bounded, Extent, Horizon, Reach, closest as search_closest},
+    search::{Before, Bounded, Extent, Horizon, Proved, closest as search_closest},
     walk::to_plan,
 };
 use giveway_model::sorting::{map, sort};
@@ -109,7 +109,7 @@ fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -
                 .costs
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.holds(instance, &plan) == Some(true) {
-                let far = |proved: Reach| case.shown.is_some_and(|shown| proved.covers(shown));
+                let far = |proved: Proved| case.shown.is_some_and(|shown| proved.covers(shown));
                 Attempt::Plan(plan, close.proved.is_some_and(far))
             } else {
                 Attempt::Unknown

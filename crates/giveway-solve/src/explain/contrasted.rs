@@ -18,7 +18,7 @@ use crate::{
     budget::Budget,
     lns::{Effort, Lns},
     problem::Problem,
-    search::Reach,
+    search::Proved,
     walk::to_plan,
 };
 
@@ -80,7 +80,7 @@ impl Contrasted<'_, '_> {
 
     /// Looks for a plan, under each condition with the budget that `part` makes.
     fn look<'b>(&self, variant: &Variant, part: impl Fn() -> Rc<Budget<'b>>) -> Tried {
-        let mut reach: Option<Reach> = None;
+        let mut reach: Option<Proved> = None;
         let mut agents: Vec<String> = Vec::new();
         let mut unknown = false;
         let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());

@@ -25,7 +25,6 @@ use super::{
 use crate::{
     Host, Progress, Refusal, Status,
     budget::Budget,
-    judged::told,
     problem::Relaxed,
     solve::{self, Solved, Task},
 };
@@ -176,7 +175,7 @@ fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) 
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
-    (answer.complete, answer.within) = told(compared.reach);
+    answer.reach = compared.reach.into();
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
     reasons::word(case, "", answer);

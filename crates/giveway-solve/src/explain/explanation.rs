@@ -10,7 +10,7 @@ use giveway_model::{
 use serde::{Deserialize, Serialize};
 
 use super::{Core, Excess, Repair, WitnessEntry};
-use crate::{Limits, Stats};
+use crate::{Limits, Reach, Stats};
 
 /// Answer a question about a plan, or about there being none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -127,11 +127,9 @@ pub struct ExplainAnswer {
     /// of the objective.
     #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
-    /// The makespan up to which the verdict was proved; `null` where it holds
-    /// whatever the horizon.
-    pub within: Option<u32>,
-    /// Whether the verdict holds whatever the horizon.
-    pub complete: bool,
+    /// How far the verdict reaches.
+    #[serde(flatten)]
+    pub reach: Reach,
     /// The other plan.
     pub alternative: Option<Plan>,
     /// Whether it is proved that no other best plan is closer.
@@ -179,8 +177,7 @@ impl ExplainAnswer {
             verdict: Verdict::Unknown,
             costs: None,
             deltas: BTreeMap::new(),
-            within: None,
-            complete: false,
+            reach: Reach::default(),
             alternative: None,
             closest: false,
             witness: Vec::new(),

@@ -18,14 +18,14 @@ use super::{
     causes::Refuted,
     group::{Group, Variant, groups},
 };
-use crate::search::Reach;
+use crate::search::Proved;
 use shrinking::Shrinking;
 
 /// What was found out about a variant.
 #[derive(Clone, Debug)]
 pub(crate) enum Tried {
     /// There is no plan: how far that reaches, and of which agents it is known.
-    None { reach: Reach, clash: Vec<String> },
+    None { reach: Proved, clash: Vec<String> },
     /// There is one.
     Plan(Plan),
     /// The budget ran out.
@@ -49,7 +49,7 @@ pub(crate) struct CoreFound {
     /// Whether each of them was shown to be needed in the set.
     pub(crate) minimal: bool,
     /// How far they exclude one.
-    pub(crate) reach: Reach,
+    pub(crate) reach: Proved,
     /// Which of them help when they alone are left out, as far as was tried.
     pub(crate) helps: BTreeMap<Group, Helps>,
     /// Further sets.
@@ -67,8 +67,7 @@ impl CoreFound {
         Core {
             facts: facts.collect(),
             minimal: self.minimal,
-            complete: self.reach.is_complete(),
-            within: self.reach.within(),
+            reach: self.reach.into(),
             further: further.map(|core| core.core(instance, within)).collect(),
         }
     }

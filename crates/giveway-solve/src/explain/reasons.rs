@@ -20,7 +20,7 @@ use super::{
     whole::Whole,
     words,
 };
-use crate::{Limits, Status, budget::Budget, judged::told};
+use crate::{Limits, Status, budget::Budget};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -98,7 +98,7 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
         plan: case.plan,
         verdict: answer.verdict,
         alternative: answer.alternative.as_ref(),
-        within: answer.within.map(|time| case.whole.time(time)),
+        within: answer.reach.within().map(|time| case.whole.time(time)),
         whole: case.whole,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
@@ -137,7 +137,7 @@ fn contrasted<'a, 'h>(
         case,
         most: costly.then(|| case.costs.vector(case.objective())),
         near: answer.alternative.as_ref().filter(|_| costly),
-        horizon: answer.within.unwrap_or(case.costs.makespan),
+        horizon: answer.reach.within().unwrap_or(case.costs.makespan),
         budget: part(budget),
     }
 }
@@ -201,7 +201,7 @@ pub(crate) fn of_no_plan(
     tell: Tell,
 ) {
     answer.verdict = Verdict::Necessary;
-    (answer.complete, answer.within) = told(found.reach);
+    answer.reach = found.reach.into();
     tell_no_plan(answer, whole, Part::Verdict, tell);
     let searching = |times| AnyPlan {
         objective: instance.objective(),
@@ -251,7 +251,7 @@ pub(crate) fn of_no_plan(
 
 fn tell_no_plan(answer: &mut ExplainAnswer, whole: Whole, part: Part, tell: Tell) {
     answer.words = words::unsolvable(
-        answer.within.map(|time| whole.time(time)),
+        answer.reach.within().map(|time| whole.time(time)),
         &answer.witness,
         answer.core.as_ref(),
         &whole.repairs(&answer.repairs),
@@ -284,7 +284,7 @@ pub(crate) fn of_own_plan(
     answer.excess = judged.excess;
     if let Some(found) = &judged.found {
         let proved = found.status == Status::Optimal;
-        (answer.complete, answer.within) = told(found.reach.filter(|_| proved));
+        answer.reach = found.reach.filter(|_| proved).into();
     }
     let own = judged.costs.filter(|_| answer.valid == Some(true));
     let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);

@@ -16,7 +16,7 @@ use crate::{
     budget::Budget,
     impose::{Unmeetable, ways},
     problem::Relaxed,
-    search::Reach,
+    search::Proved,
 };
 
 /// A question that fits a valid plan, and what is to be known of both.
@@ -29,9 +29,9 @@ pub(crate) struct Case<'a> {
     /// Its costs.
     pub(crate) costs: Costs,
     /// How far it is proved that no plan is better, where it is.
-    pub(crate) optimal: Option<Reach>,
+    pub(crate) optimal: Option<Proved>,
     /// How far the verdict is proved, once it is.
-    pub(crate) shown: Option<Reach>,
+    pub(crate) shown: Option<Proved>,
     /// What must hold in the other plan: one of these; an error where no agent could
     /// do it.
     pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
@@ -99,7 +99,7 @@ pub(crate) struct Compared {
     /// What it costs more, by the costs of the objective.
     pub(crate) deltas: BTreeMap<Cost, i64>,
     /// How far the verdict was proved; `None` where nothing was.
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
 }
 
 /// Compares the plan with the best one that is as asked for.
@@ -173,7 +173,7 @@ fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
         },
         plan: None,
         costs: None,
-        reach: nobody.map(|&nobody| Reach::ForEver(nobody.into())),
+        reach: nobody.map(|&nobody| Proved::ForEver(nobody.into())),
         clash: Vec::new(),
         horizon: case.costs.makespan,
     })

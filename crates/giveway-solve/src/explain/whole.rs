@@ -12,6 +12,7 @@ use giveway_model::{
 };
 
 use super::{Edit, ExplainAnswer, Repair, Verdict, changed::shifted, words};
+use crate::Reach;
 
 /// The plan of which an instance is the rest, with the question as it was asked; without
 /// a change of the world there is none.
@@ -124,11 +125,11 @@ impl Whole<'_> {
         };
         answer.since = Some(snapshot.at);
         answer.question = question.clone();
-        answer.within = answer.within.map(|within| self.time(within));
+        answer.reach = answer.reach.later(self.since());
         if let Some(core) = &mut answer.core {
-            core.within = core.within.map(|within| self.time(within));
+            core.reach = core.reach.later(self.since());
             for further in &mut core.further {
-                further.within = further.within.map(|within| self.time(within));
+                further.reach = further.reach.later(self.since());
             }
         }
         answer.repairs = self.repairs(&answer.repairs);
@@ -187,7 +188,7 @@ impl Whole<'_> {
 /// search.
 fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.verdict = Verdict::Unknown;
-    (answer.costs, answer.complete, answer.within) = (None, false, None);
+    (answer.costs, answer.reach) = (None, Reach::default());
     answer.deltas.clear();
     answer.witness.clear();
     answer.core = None;

@@ -10,7 +10,7 @@ use giveway_model::condition::{Act, Times};
 use giveway_model::{Cell, Condition, Cost, Instance, sorting::map};
 use giveway_proof::Claim;
 
-use super::{Closed, CriticalCell, FreedomAnswer, Known, Proved, Visit, critical::scene_without};
+use super::{Closed, CriticalCell, FreedomAnswer, Known, Visit, critical::scene_without};
 use crate::{Certificate, CertifyRequest, Status};
 
 impl FreedomAnswer {
@@ -87,8 +87,8 @@ impl FreedomAnswer {
             scene: instance.to_scene(),
             bounds: self.best(),
             impossible: self.status == Status::Impossible,
-            complete: self.complete,
-            within: self.within,
+            complete: self.reach.is_complete(),
+            within: self.reach.within(),
             plan: self.plan.clone(),
             ..CertifyRequest::default()
         }
@@ -104,8 +104,8 @@ impl FreedomAnswer {
                 ..Claim::default()
             },
             impossible: true,
-            complete: self.complete,
-            within: self.within,
+            complete: self.reach.is_complete(),
+            within: self.reach.within(),
             ..CertifyRequest::default()
         }
     }
@@ -114,15 +114,15 @@ impl FreedomAnswer {
     /// where nothing is lost, as the plan of the whole scene shows it, or where
     /// somebody needs the very cell, so that no scene is left.
     fn of_closed(&self, instance: &Instance, it: &CriticalCell) -> Option<Certificate> {
-        let (bounds, impossible, proved) = match &it.closed {
-            Closed::Optimal { costs, proved, .. } if !it.closed.is_harmless() => {
+        let (bounds, impossible, reach) = match &it.closed {
+            Closed::Optimal { costs, reach, .. } if !it.closed.is_harmless() => {
                 let costs = self.objective.costs().iter().map(|&c| (c, costs.get(c)));
-                (map(costs), false, *proved)
+                (map(costs), false, *reach)
             }
             Closed::Impossible {
                 needed: None,
-                proved,
-            } => (BTreeMap::new(), true, *proved),
+                reach,
+            } => (BTreeMap::new(), true, *reach),
             _ => return None,
         };
         let mut scene = scene_without(&instance.to_scene(), it.cell)?;
@@ -132,11 +132,8 @@ impl FreedomAnswer {
             scene,
             bounds,
             impossible,
-            complete: proved == Proved::ForEver,
-            within: match proved {
-                Proved::ForEver => None,
-                Proved::Within(makespan) => Some(makespan),
-            },
+            complete: reach.is_complete(),
+            within: reach.within(),
             ..CertifyRequest::default()
         };
         Some(Certificate {

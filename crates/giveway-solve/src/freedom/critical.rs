@@ -9,15 +9,14 @@ use std::rc::Rc;
 use giveway_model::{Cell, Cost, Costs, Ground, Instance, Scene, check::check};
 
 use super::{
-    Closed, CriticalCell, Need, Proved,
+    Closed, CriticalCell, Need,
     every::Every,
     formula::{Way, plan_of},
 };
 use crate::{
     Limits, Status,
     budget::Stop,
-    judged::told,
-    search::Reach,
+    search::Proved,
     single::Place,
     solve::{self, Task},
     terrain::Vertex,
@@ -27,11 +26,16 @@ use crate::{
 /// shown soon does not wait for what takes long.
 const ROUNDS: [Option<u64>; 3] = [Some(3_000), Some(30_000), None];
 
+/// The proof that no scene is left without a cell, as an agent starts there, or has its goal
+/// or a waypoint there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CellNeeded(());
+
 /// What closing cells would cost, as far as it is known.
 pub(super) struct Critical<'t, 'h> {
     task: &'t Task<'h>,
     scene: &'t Scene,
-    optimum: Reach,
+    optimum: Proved,
     costs: Costs,
     cells: Vec<CriticalCell>,
     /// Which of the [`ROUNDS`] it is.
@@ -44,16 +48,16 @@ impl<'t, 'h> Critical<'t, 'h> {
     /// All free cells, nothing known but of those that agents need.
     pub(super) fn new(
         (task, scene): (&'t Task<'h>, &'t Scene),
-        (optimum, costs): (Reach, Costs),
+        (optimum, costs): (Proved, Costs),
     ) -> Self {
         let grid = task.instance.grid();
         let free = grid.cells().filter(|(_, ground)| ground.is_vertex());
         let cells = free.map(|(cell, _)| {
             let closed = match need(&task.instance, cell) {
                 None => Closed::Unknown { worse: false },
-                needed => Closed::Impossible {
-                    needed,
-                    proved: Proved::ForEver,
+                Some((needed, shown)) => Closed::Impossible {
+                    needed: Some(needed),
+                    reach: Proved::ForEver(shown.into()).into(),
                 },
             };
             CriticalCell { cell, closed }
@@ -187,7 +191,7 @@ impl<'t, 'h> Critical<'t, 'h> {
             (Status::Impossible, _, Some(reach)) => {
                 it.closed = Closed::Impossible {
                     needed: None,
-                    proved: proved(reach),
+                    reach: reach.into(),
                 };
             }
             _ => {}
@@ -198,7 +202,7 @@ impl<'t, 'h> Critical<'t, 'h> {
 
 impl Task<'_> {
     /// A best plan without a cell, set against the best plan with it.
-    fn closed_at(&self, costs: Costs, before: Costs, reach: Reach) -> Closed {
+    fn closed_at(&self, costs: Costs, before: Costs, reach: Proved) -> Closed {
         let delta = |&cost: &Cost| {
             let delta = i64::from(costs.get(cost)) - i64::from(before.get(cost));
             (cost, delta)
@@ -206,22 +210,15 @@ impl Task<'_> {
         Closed::Optimal {
             costs,
             deltas: self.objective.costs().iter().map(delta).collect(),
-            proved: proved(reach),
+            reach: reach.into(),
         }
     }
 }
 
-fn proved(reach: Reach) -> Proved {
-    match told(Some(reach)) {
-        (false, Some(makespan)) => Proved::Within(makespan),
-        _ => Proved::ForEver,
-    }
-}
-
 /// Who needs the very cell, so that there is no scene without it.
-fn need(instance: &Instance, cell: Cell) -> Option<Need> {
+fn need(instance: &Instance, cell: Cell) -> Option<(Need, CellNeeded)> {
     let any = |needs: &dyn Fn(&giveway_model::Agent) -> bool| instance.agents().iter().any(needs);
-    if any(&|agent| agent.start == cell) {
+    let needed = if any(&|agent| agent.start == cell) {
         Some(Need::Start)
     } else if any(&|agent| agent.goal == Some(cell)) {
         Some(Need::Goal)
@@ -229,7 +226,8 @@ fn need(instance: &Instance, cell: Cell) -> Option<Need> {
         Some(Need::Waypoint)
     } else {
         None
-    }
+    };
+    needed.map(|needed| (needed, CellNeeded(())))
 }
 
 /// The cells in which anybody is at any time of a plan.

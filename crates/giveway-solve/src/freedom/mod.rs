@@ -19,7 +19,8 @@ pub mod words;
 
 pub use answer::{
     About, Closed, CriticalCell, Farthest, FreedomAnswer, Hold, Known, Later, Need, PlanCount,
-    Plans, Proved, Shared, Slack, Step, Visit, Ways, same_steps,
+    Plans, Shared, Slack, Step, Visit, Ways, same_steps,
 };
+pub(crate) use critical::CellNeeded;
 pub use request::{DEFAULT_COUNT, FreedomPart, FreedomRequest};
 pub(crate) use serve::serve;

@@ -17,9 +17,8 @@ use super::{
 use crate::{
     Progress,
     budget::Stop,
-    judged::told,
     problem::{Problem, ProblemError},
-    search::Reach,
+    search::Proved,
     solve::Task,
 };
 
@@ -30,7 +29,7 @@ pub(super) struct Subject<'a, 'h> {
     pub(super) plan: &'a Plan,
     pub(super) costs: Costs,
     /// How far it is proved to be a best one.
-    pub(super) optimum: Reach,
+    pub(super) optimum: Proved,
     /// The number of plans up to which is counted.
     pub(super) count: u32,
 }
@@ -52,7 +51,7 @@ pub(super) fn serve(subject: &Subject, answer: &mut FreedomAnswer) -> Result<(),
         .unwrap_or_else(|| problem.default_horizon(task.instance.grid()));
     let horizon = horizon.max(subject.costs.makespan);
     let caps = caps(&problem, best, horizon, subject.optimum);
-    (answer.complete, answer.within) = told(Some(caps.reach));
+    answer.reach = caps.reach.into();
     let formula = BestPlans::new(&problem, &caps, best, &task.budget)?;
     let own = ways_of(&problem, &task.instance, subject.plan).ok_or(Stop::Contradiction)?;
     let mut every = Every::new(&problem, &task.instance, best, formula, own);

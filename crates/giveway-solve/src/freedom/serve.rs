@@ -38,7 +38,7 @@ pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<Freedom
             count: request.count_limit(),
         };
         if let Err(stop) = parts::serve(&subject, &mut answer) {
-            answer.reason = Some(stop.sentence().to_owned());
+            answer.reason = Some(stop.into());
         }
     }
     answer.stats = task.budget.stats();
@@ -87,8 +87,7 @@ fn begun(task: &Task, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
         slack: None,
         critical: None,
         pending: Vec::new(),
-        complete: best.complete,
-        within: best.within,
+        reach: best.reach,
         reason: best.reason.clone(),
         stats: task.budget.stats(),
     }

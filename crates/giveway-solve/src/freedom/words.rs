@@ -31,7 +31,7 @@ pub fn headline(answer: &FreedomAnswer) -> Headline {
                 costs
             ),
         ),
-        Status::Impossible => match answer.within.filter(|_| !answer.complete) {
+        Status::Impossible => match answer.reach.within() {
             Some(n) => say(
                 tr!("an answer" => "No plan"),
                 tr!("behind: No plan" => " within makespan {n}.", n),

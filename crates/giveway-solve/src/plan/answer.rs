@@ -7,9 +7,10 @@ use giveway_model::{Cost, Costs, Objective, Plan, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{PlanTrace, Planner};
+use crate::{Reach, Reason, reach::within_alone};
 
 /// The answer to a request for a plan.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct PlanAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -30,19 +31,20 @@ pub struct PlanAnswer {
     /// How much work it took.
     pub stats: PlanStats,
     /// How it went, where that was asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub trace: Option<PlanTrace>,
 }
 
 /// How a planner ended. None of them proves that there is no plan, unless an
 /// agent has none even alone.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "how", rename_all = "kebab-case")]
 pub enum PlanEnd {
     /// No plan has less of the first cost.
     Best {
-        /// The makespan up to which that holds; `null` where it holds for all plans.
-        within: Option<u32>,
+        /// How far that reaches; in JSON `within` alone.
+        #[serde(rename = "within", serialize_with = "within_alone")]
+        reach: Reach,
     },
     /// With a plan; there may be better ones.
     Found,
@@ -55,8 +57,8 @@ pub enum PlanEnd {
     },
     /// Early. There may be a plan.
     Stopped {
-        /// Why, as a sentence.
-        reason: String,
+        /// Why.
+        reason: Reason,
     },
     /// There is nothing up to the horizon. There may be a longer plan.
     Horizon {

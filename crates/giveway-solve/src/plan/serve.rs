@@ -11,8 +11,8 @@ use giveway_planners::{
     walk::{Walk, to_plan},
 };
 
-use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanStats, teller::Teller, words};
-use crate::{Host, Progress, Refusal, budget::Budget};
+use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanStats, teller::Teller};
+use crate::{Host, Progress, Reason, Refusal, budget::Budget};
 
 /// Serves a request for a plan.
 ///
@@ -110,7 +110,7 @@ impl Task<'_> {
         };
         if contradicts {
             answer.ended = PlanEnd::Stopped {
-                reason: Stop::Contradiction.sentence().to_owned(),
+                reason: Stop::Contradiction.into(),
             };
             return;
         }
@@ -158,14 +158,14 @@ impl Task<'_> {
 
 fn stopped(stop: Stop) -> PlanEnd {
     PlanEnd::Stopped {
-        reason: stop.sentence().to_owned(),
+        reason: stop.into(),
     }
 }
 
 fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
     match outcome {
         Outcome::Best { proved, .. } => PlanEnd::Best {
-            within: proved.within(),
+            reach: (*proved).into(),
         },
         Outcome::Found { .. } => PlanEnd::Found,
         Outcome::NoOrderWorks { tried, stuck } => PlanEnd::NoOrderWorks {
@@ -176,10 +176,13 @@ fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
             Halt::Budget(stop) => stopped(stop),
             Halt::Horizon(within) => PlanEnd::Horizon { within },
             Halt::Stuck { arrived } => PlanEnd::Stopped {
-                reason: words::stuck(arrived, teller.names.len()),
+                reason: Reason::Standstill {
+                    arrived: arrived as u32,
+                    of: teller.names.len() as u32,
+                },
             },
             Halt::Effort => PlanEnd::Stopped {
-                reason: words::EFFORT.text().to_owned(),
+                reason: Reason::Effort,
             },
         },
         Outcome::Refused { lack } => PlanEnd::Refused {

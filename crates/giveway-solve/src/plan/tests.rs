@@ -4,7 +4,8 @@ use giveway_model::{Cost, format::native};
 use serde_json::{Value, json};
 
 use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanTrace, Planner, Went, words};
-use crate::{Host, Limits, Progress, Refusal, Request, Response, SilentHost, serve};
+use crate::budget::Stop;
+use crate::{Host, Limits, Progress, Reach, Refusal, Request, Response, SilentHost, serve};
 
 const CROSSING: &str = r##"{
     "giveway": 1,
@@ -50,7 +51,12 @@ fn said(answer: &PlanAnswer) -> String {
 #[test]
 fn cbs_is_best_in_the_first_cost() {
     let answer = planned(request(CROSSING, Planner::Cbs));
-    assert_eq!(answer.ended, PlanEnd::Best { within: None });
+    assert_eq!(
+        answer.ended,
+        PlanEnd::Best {
+            reach: Reach::unproved(None)
+        }
+    );
     assert_eq!(answer.bounds.get(&Cost::SumOfCosts), Some(&5));
     assert_eq!(answer.costs.unwrap().sum_of_costs, 5);
     assert!(answer.plan.is_some() && answer.trace.is_none());
@@ -126,7 +132,7 @@ fn without_a_plan_cbs_never_says_that_there_is_none() {
     let PlanEnd::Stopped { reason } = &answer.ended else {
         panic!("{answer:?}");
     };
-    assert_eq!(reason, "The search was cancelled.");
+    assert_eq!(*reason, Stop::Cancelled.into());
     assert!(answer.bounds[&Cost::Makespan] > 2);
     let text = said(&answer);
     assert!(
@@ -196,9 +202,6 @@ fn trace(scene: &str, planner: Planner) -> Value {
         trace: true,
         ..request(scene, planner)
     });
-    let text = serde_json::to_string(&answer).unwrap();
-    let again: PlanAnswer = serde_json::from_str(&text).unwrap();
-    assert_eq!(again, answer, "an answer is read as it was written");
     serde_json::to_value(answer.trace).unwrap()
 }
 

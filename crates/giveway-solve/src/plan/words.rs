@@ -8,7 +8,8 @@ use giveway_model::words::{and, name, sentence, values};
 use giveway_model::{tr, tr_later};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
-use crate::words::Headline;
+use crate::Reason;
+use crate::words::{Headline, reason as told};
 
 pub use order::{around, why_stuck};
 pub use tree::{branch, conflict, conflict_lines, constraint, moment, parties, subject};
@@ -40,10 +41,10 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
             )
         }
         PlanEnd::Stopped { reason } if answer.plan.is_some() => {
-            let rest = format!(": {}. {}", costs(), sentence(reason));
+            let rest = format!(": {}. {}", costs(), sentence(&told(reason)));
             say(tr!("an answer" => "Best so far"), rest)
         }
-        PlanEnd::Stopped { reason } => say(&sentence(reason), NONE_YET.text().to_owned()),
+        PlanEnd::Stopped { reason } => say(&sentence(&told(reason)), NONE_YET.text().to_owned()),
         PlanEnd::Horizon { within } => say(
             tr!("an answer" => "No plan found"),
             tr!(
@@ -77,19 +78,14 @@ pub fn notes(answer: &PlanAnswer) -> Vec<String> {
     let first = answer.objective.costs().first();
     let mut notes = Vec::new();
     match (&answer.ended, first) {
-        (PlanEnd::Best { within: None }, Some(&cost)) => {
-            notes.push(tr!(
-                "No plan has a smaller {cost}, no matter how many steps you allow.",
-                cost = name(cost)
-            ));
-        }
-        (PlanEnd::Best { within: Some(n) }, Some(&cost)) => {
-            let cost = name(cost);
-            notes.push(tr!(
-                "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",
-                n,
-                cost
-            ));
+        (PlanEnd::Best { reach }, Some(&cost)) => {
+            notes.push(match reach.within() {
+                None => tr!(
+                    "No plan has a smaller {cost}, no matter how many steps you allow.",
+                    cost = name(cost)
+                ),
+                Some(within) => told(&Reason::LeastWithin { cost, within }),
+            });
         }
         (PlanEnd::Found, _) => notes.push(tr!("There may be better plans.").to_owned()),
         (PlanEnd::NoOrderWorks { .. }, _) => {
@@ -146,16 +142,3 @@ fn cannot(lack: &Lack) -> String {
         ),
     }
 }
-
-/// Why a planner that looks no further than the next step ended without a plan.
-pub(super) fn stuck(arrived: usize, all: usize) -> String {
-    tr!(
-        "Robots stood in each other's way for good: {arrived} of {all} were at their goals.",
-        arrived,
-        all
-    )
-}
-
-/// Why a planner ended that had looked at enough.
-pub(super) const EFFORT: Later =
-    tr_later!("The planner gave up: it looked at as much as it ever does.");

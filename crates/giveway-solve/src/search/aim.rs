@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Costs};
 
-use super::{for_ever::Reach, horizon::Horizon, incumbent::OnBetter};
+use super::{for_ever::Proved, horizon::Horizon, incumbent::OnBetter};
 use crate::{budget::Stop, walk::Walk};
 
 /// What a plan must keep to, beside the rules.
@@ -65,7 +65,7 @@ pub(crate) struct Verdict {
     pub(crate) bounds: BTreeMap<Cost, u32>,
     /// How far the claim reaches; `None` where it is not settled, or nothing is
     /// claimed but that there is a plan.
-    pub(crate) reach: Option<Reach>,
+    pub(crate) reach: Option<Proved>,
     /// Why it is not settled; `None` where it is.
     pub(crate) stop: Option<Stop>,
     /// Agents that cannot all arrive, where there is no plan.

@@ -15,7 +15,7 @@ use std::rc::Rc;
 use super::{
     aim::Bounded,
     deadlines::Keeping,
-    for_ever::{self, Reach},
+    for_ever::{self, Proved},
     incumbent::Incumbent,
     stage::{Search, Subject},
 };
@@ -53,7 +53,7 @@ pub(crate) struct Close {
     /// Agents that do as before, charges included.
     pub(crate) same: Vec<bool>,
     /// How far it is proved that none is closer, if it is.
-    pub(crate) proved: Option<Reach>,
+    pub(crate) proved: Option<Proved>,
 }
 
 /// The proof that no plan within the limits is closer. Only the search for the
@@ -153,7 +153,7 @@ impl Near<'_, '_> {
     }
 
     /// How far what was found is proved, where it is.
-    fn reach(&self, shown: Option<NoneCloser>) -> Option<Reach> {
+    fn reach(&self, shown: Option<NoneCloser>) -> Option<Proved> {
         let shown = shown.filter(|_| self.is_exact())?;
         Some(for_ever::none_closer(&self.search, shown))
     }

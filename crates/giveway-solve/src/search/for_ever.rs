@@ -11,7 +11,7 @@
 mod bounds;
 mod exhausted;
 mod optima;
-mod reach;
+mod proved;
 mod token;
 
 use giveway_model::{Cost, Costs, Objective, sorting::map};
@@ -32,7 +32,7 @@ use crate::{
 pub(crate) use bounds::reach_of_bounds;
 pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever, soonest};
 pub(super) use optima::OfOptima;
-pub(crate) use reach::Reach;
+pub(crate) use proved::Proved;
 pub(crate) use token::ForEver;
 
 /// Every plan that keeps the limits arrives within the horizon, or has a
@@ -50,12 +50,12 @@ pub(crate) fn reach_of_best_plans(
     problem: &Problem,
     (objective, best): (&Objective, &Costs),
     horizon: u32,
-    optimum: Reach,
-) -> Reach {
+    optimum: Proved,
+) -> Proved {
     let costs = objective.costs().iter();
     let limits = map(costs.map(|&cost| (cost, best.get(cost))));
     let in_time = Horizon::at(horizon).covers_limits(problem, &limits);
-    Reach::new(in_time.map(ForEver::from), horizon).and(optimum)
+    Proved::new(in_time.map(ForEver::from), horizon).and(optimum)
 }
 
 /// An agent that arrives too late, even alone, for what is asked for; and whether
@@ -95,10 +95,10 @@ pub(super) fn asked_below_minimum(
 
 /// How far it reaches that no plan is closer to a given one. No assumed deadline
 /// has a part in it.
-pub(super) fn none_closer(search: &Search, shown: NoneCloser) -> Reach {
+pub(super) fn none_closer(search: &Search, shown: NoneCloser) -> Proved {
     let free = search.deadlines.free_of_horizon(&[]);
     let reason = free.map(|free| ForEver::refuted(&shown, free));
-    Reach::new(reason, search.latest())
+    Proved::new(reason, search.latest())
 }
 
 /// A refutation of every plan, whose core names the caps of these agents:

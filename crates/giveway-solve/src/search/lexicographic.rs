@@ -10,7 +10,7 @@ use super::{
     aim::{Aim, Bounded, Contact, Verdict},
     deadlines::Keeping,
     feasible,
-    for_ever::{self, Reach},
+    for_ever::{self, Proved},
     incumbent::{Incumbent, free_of_collisions},
     prove::{Given, Shown, is_met, or_exhausted, prove},
     stage::{Search, Subject},
@@ -102,7 +102,7 @@ fn find_from(
     match end {
         Ok(Shown::Plan) => {}
         Ok(Shown::Claim(reason)) => {
-            verdict.reach = Some(Reach::new(reason, bounded.horizon.latest()));
+            verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
         }
         Err(stop) => verdict.stop = Some(stop),
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::SolveAnswer;
 
 /// The answer to a request about some agents.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct TogetherAnswer {
     /// The format's version.
     pub giveway: Version,
@@ -100,7 +100,7 @@ pub enum MeetingKind {
 }
 
 /// What was found out about some agents alone, all others away.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct Alone {
     /// The scene with these agents only, and the cost as its objective: it can be
     /// saved, solved and certified as any scene.

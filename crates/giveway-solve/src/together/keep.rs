@@ -12,7 +12,7 @@ use crate::{
     budget::Budget,
     judged::Judged,
     problem::{Problem, ProblemError},
-    search::{Aim, Bounded, Horizon, Reach, find},
+    search::{Aim, Bounded, Horizon, Proved, find},
     walk::to_plan,
 };
 
@@ -54,7 +54,7 @@ pub(super) fn can_keep(
         Status::Impossible if is_time(request.cost) || request.within.is_some() => Some(false),
         Status::Impossible => judged
             .reach
-            .is_some_and(Reach::is_complete)
+            .is_some_and(Proved::is_complete)
             .then_some(false),
         Status::Unknown => None,
     }

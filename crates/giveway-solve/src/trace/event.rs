@@ -7,6 +7,7 @@ use giveway_model::{Cost, Costs, Objective, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{AgentLeast, Condition, Core};
+use crate::Reason;
 
 /// How the best plan was found and proved: the first events and the last.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -85,7 +86,7 @@ pub enum SearchEvent {
         /// The cost that is bounded.
         cost: Cost,
         /// Of which plans this is so.
-        #[serde(default, skip_serializing_if = "Condition::is_empty")]
+        #[serde(skip_serializing_if = "Condition::is_empty")]
         condition: Condition,
         /// The bound before.
         from: u32,
@@ -182,8 +183,9 @@ pub struct Cannot {
 /// How far a search came that ended early.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Stopped {
-    /// Why, as a sentence.
-    pub reason: String,
+    /// Why; nothing in a trace that was read from JSON.
+    #[serde(skip_deserializing)]
+    pub reason: Option<Reason>,
     /// The costs of the best plan; `null` without one.
     pub costs: Option<Costs>,
     /// The proved lower bound of each cost of the objective reached so far.

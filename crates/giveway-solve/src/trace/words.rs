@@ -10,8 +10,7 @@ use super::{
     AgentLeast, AgentLimit, Cannot, Condition, Core, Entrant, FoundBy, Restart, SearchEvent,
     Stopped,
 };
-use crate::solve::clash_sentence;
-use crate::words::{known, reason};
+use crate::words::{clash, known, reason};
 
 /// More robots are counted instead of named.
 const MOST_NAMES: usize = 4;
@@ -364,7 +363,7 @@ fn met(objective: &Objective, costs: &BTreeMap<Cost, u32>, within: Option<u32>) 
 
 fn impossible(cannot: &Cannot) -> String {
     let names: Vec<&str> = cannot.agents.iter().map(String::as_str).collect();
-    let clash = clash_sentence(&names);
+    let clash = clash(&names);
     match cannot.within {
         None => tr!("No plan exists: {why}", why = in_the_middle(&clash)),
         Some(n) => tr!(
@@ -377,7 +376,7 @@ fn impossible(cannot: &Cannot) -> String {
 
 /// `The robots cannot ...` behind a colon; a name stands as it is.
 fn in_the_middle(sentence: &str) -> String {
-    if sentence == clash_sentence(&[]) {
+    if sentence == clash::<&str>(&[]) {
         lower(sentence)
     } else {
         sentence.to_owned()
@@ -385,7 +384,8 @@ fn in_the_middle(sentence: &str) -> String {
 }
 
 fn ended(objective: &Objective, stopped: &Stopped) -> String {
-    let reason = full(&reason(&stopped.reason));
+    let reason = stopped.reason.as_ref().map(reason);
+    let reason = full(&reason.unwrap_or_default());
     match known(objective, &stopped.bounds, stopped.costs.as_ref()).as_str() {
         "" => reason,
         known => tr!("{reason} Proved so far: {known}.", reason, known),

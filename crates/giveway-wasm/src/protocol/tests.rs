@@ -224,8 +224,7 @@ fn responses_come_back() {
         giveway: Version,
         status: Status::Feasible,
         ended: Some(giveway_solve::Ended::Work),
-        complete: false,
-        within: Some(3),
+        reach: serde_json::from_str(r#"{ "complete": false, "within": 3 }"#).unwrap(),
         front: vec![answer],
     }));
     let scene = scene();

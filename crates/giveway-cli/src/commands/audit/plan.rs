@@ -75,7 +75,7 @@ pub(super) fn audited(
 fn bounds(instance: &Instance, plan: &ForeignPlan, answer: &AuditAnswer) -> Vec<ClaimedBound> {
     let plans: Vec<&Plan> = std::iter::once(&plan.plan).chain(&answer.better).collect();
     let mut proved = answer.bounds.clone();
-    let first = answer.first_cost().filter(|_| answer.complete);
+    let first = answer.first_cost().filter(|_| answer.reach.is_complete());
     proved.retain(|cost, _| Some(*cost) == first);
     claimed_bounds(instance, &plans, plan.bounds, &proved)
 }

@@ -8,7 +8,7 @@ use giveway_model::compare::Claimed;
 use giveway_model::compare::{ClaimedBound, ClaimedCost};
 use giveway_model::{Assumption, Cost, Costs, Objective, Plan, Version};
 use giveway_solve::audit::AuditStatus;
-use giveway_solve::{Stats, Status};
+use giveway_solve::{Reach, Reason, Stats, Status};
 use serde::Serialize;
 
 use super::Audited;
@@ -35,15 +35,15 @@ pub(crate) struct AuditObject<'a> {
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     claimed_bounds: &'a [ClaimedBound],
     bounds: &'a BTreeMap<Cost, u32>,
-    within: Option<u32>,
-    complete: bool,
+    #[serde(flatten)]
+    reach: Reach,
     status: AuditStatus,
     gap: Option<f64>,
     better: Option<&'a Plan>,
     better_costs: Option<Costs>,
     search: Status,
     #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<&'a str>,
+    reason: Option<&'a Reason>,
     stats: Stats,
     /// In a report: what opens the plan on the page.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -86,14 +86,13 @@ impl Audited {
             claims: &self.claims,
             claimed_bounds: &self.claimed_bounds,
             bounds: &answer.bounds,
-            within: answer.within,
-            complete: answer.complete,
+            reach: answer.reach,
             status: answer.status,
             gap: answer.gap,
             better: answer.better.as_ref(),
             better_costs: answer.better_costs,
             search: answer.search,
-            reason: answer.reason.as_deref(),
+            reason: answer.reason.as_ref(),
             stats: answer.stats,
             link: None,
         }

@@ -10,6 +10,7 @@ use giveway_model::{
 use giveway_solve::{
     Status,
     change::{ChangeAnswer, Method, MethodAnswer, Methods, names, notes},
+    words::reason as reason_in_words,
 };
 
 use super::{bold, status_word, title};
@@ -159,6 +160,7 @@ fn remarks(method: Method, answer: &MethodAnswer) -> String {
     let mut text = String::new();
     let reason = answer.result.reason.clone();
     let early = reason.filter(|_| answer.cause.is_none() && answer.result.plan.is_some());
+    let early = early.as_ref().map(reason_in_words);
     for note in notes(answer).into_iter().chain(early) {
         let _ = writeln!(text, "{method}: {}", words::sentence(&note));
     }

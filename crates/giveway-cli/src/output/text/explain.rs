@@ -128,7 +128,7 @@ fn verdict(answer: &ExplainAnswer) -> String {
     } else {
         let _ = writeln!(text, ": {}", plain::text(&answer.words));
     }
-    if let Some(reach) = reach(answer.complete, answer.within) {
+    if let Some(reach) = reach(answer.reach) {
         let _ = writeln!(text, "{reach}");
     }
     text

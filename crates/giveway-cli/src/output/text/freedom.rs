@@ -22,8 +22,8 @@ pub(crate) fn freedom(instance: &Instance, answer: &FreedomAnswer, columns: usiz
     parts.push(slack(instance, answer));
     parts.push(cells(answer));
     parts.push(farthest(instance, answer, columns));
-    if let Some(reason) = answer.reason.as_deref().filter(|_| !answer.is_settled()) {
-        let reason = plain::text(reason);
+    if let Some(reason) = answer.reason.as_ref().filter(|_| !answer.is_settled()) {
+        let reason = plain::text(&giveway_solve::words::reason(reason));
         parts.push(format!("{reason} What is not said above is open.\n"));
     }
     parts.push(work(&answer.stats));
@@ -39,7 +39,7 @@ fn known(answer: &FreedomAnswer) -> String {
         let _ = writeln!(text, "{about}");
     }
     if answer.plan.is_some()
-        && let Some(reach) = reach(answer.complete, answer.within)
+        && let Some(reach) = reach(answer.reach)
     {
         let _ = writeln!(text, "{reach}");
     }

@@ -27,7 +27,7 @@ pub(crate) fn front(
 fn status(objective: &Objective, answer: &FrontAnswer) -> String {
     let names: Vec<&str> = objective.costs().iter().map(|&c| name(c)).collect();
     let plans = count(answer.front.len(), "plan");
-    let within = answer.within.filter(|_| !answer.complete);
+    let within = answer.reach.within();
     let said = |is_whole| format!(": {}", words::front(&plans, is_whole, within, answer.ended));
     let (word, rest) = match (answer.status, within) {
         (Status::Optimal, _) => ("Pareto front", said(true)),
@@ -93,7 +93,7 @@ mod tests {
     use giveway_model::{Costs, Version};
 
     use super::*;
-    use crate::output::text::unpainted;
+    use crate::output::text::{reach_of, unpainted};
 
     /// A front of one point for each makespan and number of charges.
     fn check(status_of_all: Status, within: Option<u32>, costs: &[[u32; 2]], expect: &Expect) {
@@ -106,8 +106,7 @@ mod tests {
                 ..Costs::default()
             }),
             bounds: BTreeMap::new(),
-            within,
-            complete: within.is_none(),
+            reach: reach_of(within),
             ended: None,
             reason: None,
             plan: None,
@@ -118,8 +117,7 @@ mod tests {
             giveway: Version,
             status: status_of_all,
             ended: None,
-            complete: within.is_none(),
-            within,
+            reach: reach_of(within),
             front: costs.iter().map(point).collect(),
         };
         let objective = "makespan,charges".parse().unwrap();

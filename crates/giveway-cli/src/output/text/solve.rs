@@ -96,11 +96,12 @@ mod tests {
 
     use expect_test::{Expect, expect};
     use giveway_model::Version;
+    use giveway_solve::{Reason, Stop};
 
     use super::*;
-    use crate::output::text::unpainted;
+    use crate::output::text::{reach_of, unpainted};
 
-    fn answer(status: Status, within: Option<u32>, reason: Option<&str>) -> SolveAnswer {
+    fn answer(status: Status, within: Option<u32>, reason: Option<Reason>) -> SolveAnswer {
         SolveAnswer {
             giveway: Version,
             status,
@@ -112,10 +113,9 @@ mod tests {
                 waits: 1,
             }),
             bounds: BTreeMap::from([(Cost::Makespan, 22)]),
-            within,
-            complete: within.is_none(),
+            reach: reach_of(within),
             ended: None,
-            reason: reason.map(str::to_owned),
+            reason,
             plan: None,
             stats: Stats::default(),
             trace: None,
@@ -146,9 +146,9 @@ mod tests {
 
     #[test]
     fn feasible_says_what_is_proved() {
-        let reason = Some("The time limit was reached");
+        let reason = Some(Reason::Stopped(Stop::Time));
         check(
-            &answer(Status::Feasible, None, reason),
+            &answer(Status::Feasible, None, reason.clone()),
             &expect![[r#"
                 Best so far: makespan 23, proved at least 22; sum of costs 35; 3 charges. The time limit was reached.
             "#]],
@@ -164,11 +164,12 @@ mod tests {
 
     #[test]
     fn impossible_says_why() {
-        let reason = Some("A1 cannot reach its goal.");
+        let agents = vec!["A1".to_owned()];
+        let reason = Some(Reason::Clash { agents });
         check(
             &answer(Status::Impossible, None, reason),
             &expect![[r#"
-                No plan exists, no matter how many steps you allow: A1 cannot reach its goal.
+                No plan exists, no matter how many steps you allow: A1 cannot arrive.
             "#]],
         );
         check(
@@ -181,7 +182,7 @@ mod tests {
 
     #[test]
     fn unknown_is_no_impossible() {
-        let reason = Some("The time limit was reached");
+        let reason = Some(Reason::Stopped(Stop::Time));
         check(
             &answer(Status::Unknown, None, reason),
             &expect![[r#"

@@ -1,6 +1,7 @@
 //! What the check of a task found.
 
 use giveway_model::Cost;
+use giveway_solve::words;
 
 use crate::judge::Why;
 use crate::lesson::Value;
@@ -64,7 +65,8 @@ impl Finding {
     /// What a judge means that has not said "solved".
     pub(super) fn of(why: Why) -> Self {
         match why {
-            Why::Unknown(reason) => Self::Unknown(reason),
+            Why::Unknown(reason) => Self::Unknown(reason.as_ref().map(words::reason)),
+            Why::SolverFailed(sentence) => Self::Unknown(Some(sentence)),
             Why::Refused(reason) => Problem::Refused(reason).into(),
             Why::NoPlan | Why::NoWayOn(_) => Problem::NoPlan.into(),
             Why::Differs => Problem::Differs.into(),

@@ -72,7 +72,8 @@ fn why(verdict: &Verdict) -> String {
     match &verdict.why {
         Why::Untouched => tr!("nothing has changed.").to_owned(),
         Why::Unknown(None) => tr!("the solver ran out of time. There may be an answer.").to_owned(),
-        Why::Unknown(Some(given)) | Why::Refused(given) => plain(&sentence(&reason(given))),
+        Why::Unknown(Some(given)) => plain(&sentence(&reason(given))),
+        Why::SolverFailed(said) | Why::Refused(said) => plain(&sentence(said)),
         Why::Outside(outside) => self::outside(outside),
         Why::TooManyEdits { made, allowed } => tr!(
             "{n} edit, and this asks for at most {allowed}. Take one back."

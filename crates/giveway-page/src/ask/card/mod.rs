@@ -73,7 +73,7 @@ pub fn card(state: &State) -> Option<Card> {
     if state.is_looking() {
         card.pending = told.pending.iter().map(|&part| pending(part)).collect();
     } else {
-        card.standing = reach(told.complete, told.within);
+        card.standing = reach(told.reach);
     }
     Some(card)
 }

@@ -103,7 +103,7 @@ pub fn column(state: &State) -> Option<Column> {
         other: (!is_alone).then(|| missing().or(other)),
         reach: told
             .filter(|told| told.backbone.is_some())
-            .and_then(|told| reach(told.complete, told.within)),
+            .and_then(|told| reach(told.reach)),
     })
 }
 
@@ -172,7 +172,7 @@ fn stopped(freedom: &Freedom, is_counting: bool) -> Option<String> {
     if is_counting || is_done {
         return None;
     }
-    let given = told.and_then(|told| told.reason.as_deref());
+    let given = told.and_then(|told| told.reason.as_ref());
     let reason = given.map_or_else(|| tr!("You stopped it").to_owned(), reason);
     let reason = reason.trim_end_matches('.');
     Some(tr!("{reason}. Results may be incomplete.", reason))

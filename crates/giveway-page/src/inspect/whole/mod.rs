@@ -91,7 +91,7 @@ fn tell(whole: &mut Whole, answer: &Answer) {
     whole.claims.extend(claim(answer));
     whole
         .claims
-        .extend(solved.reason.as_deref().map(giveway_solve::words::reason));
+        .extend(solved.reason.as_ref().map(giveway_solve::words::reason));
     whole.claims.extend(reach_of_bounds(solved));
     whole.costs = costs(objective.costs(), |cost| {
         (

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::change::Changes;
 use giveway_model::{Costs, Fault, Instance, Plan, Version, check, tr};
-use giveway_solve::{SolveAnswer, SolveRequest, Stats, Status};
+use giveway_solve::{Reach, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::parts::Parts;
 use crate::changing::Changing;
@@ -81,8 +81,7 @@ pub(super) fn answer(
         status: Status::Feasible,
         costs,
         bounds: BTreeMap::new(),
-        within: None,
-        complete: false,
+        reach: Reach::default(),
         ended: None,
         reason: None,
         plan,

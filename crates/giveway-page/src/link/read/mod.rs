@@ -13,7 +13,7 @@ use giveway_model::{Agent, Plan, Scene, tr};
 
 use super::text::{numbers, unescape};
 use super::{
-    From, IMPOSSIBLE, LONGEST, Linked, Source, ask, change, knowledge, message, plan, scene,
+    From, IMPOSSIBLE, LONGEST, Linked, Source, answers, ask, change, knowledge, plan, scene,
 };
 use crate::audit::Audit;
 use crate::front::Front;
@@ -148,7 +148,7 @@ impl Reader {
             let found = of_an_answer.iter().find(|key| parts.get(key).is_some());
             return found.map_or(Ok(()), |key| Err(broken(key)));
         };
-        if let Some(told) = parts.read("front", message::read)? {
+        if let Some(told) = parts.read("front", answers::read)?.flatten() {
             let front = Front::new(Rc::clone(&document.draft), &about.request, told);
             let mut points = front.points.iter();
             // The plan shown is the very one of the front.
@@ -157,7 +157,7 @@ impl Reader {
             }
             document.found_front = Some(Rc::new(front));
         }
-        if let Some(report) = parts.read("report", message::read)? {
+        if let Some(report) = parts.read("report", answers::read)?.flatten() {
             document.checked = Some((about.clone(), Rc::new(report)));
         }
         document.mode = mode(&about, parts)?;

@@ -7,7 +7,7 @@ use giveway_solve::Limits;
 use super::parts::Parts;
 use crate::asking::Asking;
 use crate::changing::{Changing, Comparing};
-use crate::link::{ask, change, message, steering};
+use crate::link::{answers, ask, change, steering};
 use crate::{Activity, Answer, Mode};
 
 /// What was being done with the plan.
@@ -22,7 +22,8 @@ pub(super) fn mode(about: &Rc<Answer>, parts: &Parts<'_>) -> Result<Mode, String
     let comparing = match &changing {
         Some(changing) => parts.read("compared", |text| compared(changing, text))?,
         None => None,
-    };
+    }
+    .flatten();
     let comparing = comparing.map(Rc::new);
     let asking = match parts.read("asked", ask::read)? {
         Some(question) => {
@@ -67,21 +68,26 @@ fn listed(about: &Rc<Answer>, text: &str) -> Option<Changing> {
     changing.with(list).ok()
 }
 
-/// The methods' answers, and which of them was chosen.
-fn compared(changing: &Rc<Changing>, text: &str) -> Option<Comparing> {
+/// The methods' answers, and which of them was chosen; `Some(None)` where they are of
+/// another form.
+#[expect(clippy::option_option, reason = "broken is not the same as left out")]
+fn compared(changing: &Rc<Changing>, text: &str) -> Option<Option<Comparing>> {
     let (chosen, told) = text.split_once('!')?;
     let chosen: usize = chosen.parse().ok()?;
-    let mut comparing = Comparing::new(changing, message::read(told)?)?;
+    let Some(told) = answers::read(told)? else {
+        return Some(None);
+    };
+    let mut comparing = Comparing::new(changing, told)?;
     comparing.chosen = chosen.checked_sub(1);
-    Some(comparing)
+    Some(Some(comparing))
 }
 
 /// A question with what was told of it.
 fn told(mut asking: Asking, parts: &Parts<'_>) -> Result<Asking, String> {
-    if let Some(told) = parts.read("told", message::read)? {
+    if let Some(told) = parts.read("told", answers::read)?.flatten() {
         asking.learn(told);
     }
-    if let Some(report) = parts.read("told-report", message::read)? {
+    if let Some(report) = parts.read("told-report", answers::read)?.flatten() {
         asking.report = Some(Rc::new(report));
     }
     asking.shows_other = parts.get("shows-other") == Some("1") && asking.other.is_some();

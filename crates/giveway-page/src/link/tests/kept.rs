@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_solve::Status;
+use giveway_solve::{Reason, Status};
 
 use super::super::{From, LONGEST, keep, kept};
 use super::bare;
@@ -59,11 +59,13 @@ fn that_there_is_no_plan_is_kept() {
     answer.solved.status = Status::Impossible;
     answer.solved.plan = None;
     answer.solved.costs = None;
-    answer.solved.reason = Some("A1 is in the way; so is A2".to_owned());
+    let agents = vec!["A1".to_owned(), "A2".to_owned()];
+    let reason = Reason::Clash { agents };
+    answer.solved.reason = Some(reason.clone());
     impossible.document.answer = Some(Rc::new(answer));
     let restored = again(&impossible);
     assert_eq!(restored.phase(), Phase::None);
-    let reason = restored
+    let kept = restored
         .document
         .answer
         .as_ref()
@@ -71,7 +73,7 @@ fn that_there_is_no_plan_is_kept() {
         .solved
         .reason
         .clone();
-    assert_eq!(reason.as_deref(), Some("A1 is in the way; so is A2"));
+    assert_eq!(kept, Some(reason));
 }
 
 #[test]

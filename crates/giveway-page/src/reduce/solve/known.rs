@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Version, check};
 use giveway_solve::trace::SearchTrace;
-use giveway_solve::{Ended, Progress, SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, Progress, Reach, Reason, SolveAnswer, Stats, Status};
 
 use crate::Solving;
 
@@ -42,12 +42,11 @@ impl Solving {
         }
     }
 
-    /// What is known where the search ends before its answer; `None` where that
-    /// is nothing.
-    pub(super) fn stopped(&self, reason: &str) -> Option<SolveAnswer> {
+    /// What is known where a person stops the search; `None` where that is nothing.
+    pub(super) fn stopped(&self) -> Option<SolveAnswer> {
         Some(SolveAnswer {
             ended: Some(Ended::Cancelled),
-            reason: Some(reason.to_owned()),
+            reason: Some(Reason::StoppedByPerson),
             ..self.so_far()?
         })
     }
@@ -69,8 +68,7 @@ impl Solving {
             },
             costs: self.best.filter(|_| plan.is_some()),
             bounds: self.bounds.clone(),
-            within: self.request.within,
-            complete: false,
+            reach: Reach::of_bounds_so_far(&self.request),
             ended: None,
             reason: None,
             plan: plan.cloned(),

@@ -42,7 +42,7 @@ pub(super) fn is_small(document: &Document) -> bool {
 pub(super) fn cancel(state: &mut State) {
     match state.work.end() {
         Some(Task::Solve(run)) => {
-            if let Some(solved) = run.stopped(tr!("You stopped the search")) {
+            if let Some(solved) = run.stopped() {
                 match run.planner {
                     Some(planner) => planners::arrive(state, &run, planner, solved, None),
                     None => answered(state, run, solved),

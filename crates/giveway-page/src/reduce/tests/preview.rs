@@ -7,7 +7,7 @@ use giveway_model::{Agent, Cell, Cost, Plan, Scene, Version};
 use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
 
 use super::{after, fresh};
-use crate::sample::solved;
+use crate::sample::{reach, solved};
 use crate::{Action, Draft, Phase, PlayAction, SolveAction, State, WorkerAction};
 
 /// One robot in a corridor, which is solved.
@@ -54,8 +54,7 @@ fn best() -> SolveAnswer {
         status: Status::Optimal,
         costs: Some(costs),
         bounds: [(Cost::Makespan, 5), (Cost::SumOfCosts, 5)].into(),
-        within: None,
-        complete: true,
+        reach: reach(None),
         ended: Some(giveway_solve::Ended::Proof),
         reason: None,
         plan: Some(plan),

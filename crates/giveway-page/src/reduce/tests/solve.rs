@@ -1,7 +1,7 @@
 //! Runs of the solver, and what comes late.
 
 use giveway_model::{Cost, Costs, Fault, Plan, Version};
-use giveway_solve::{Ended, Progress, Refusal, Response, SolveAnswer, Stats, Status};
+use giveway_solve::{Ended, Progress, Reach, Refusal, Response, SolveAnswer, Stats, Status};
 
 use super::{after, edit, fresh};
 use crate::sample::solved;
@@ -31,8 +31,7 @@ pub(super) fn respond(run: u64, status: Status) -> Action {
         status,
         costs: None,
         bounds: [(Cost::Makespan, 17)].into(),
-        within: None,
-        complete: false,
+        reach: Reach::default(),
         ended: match status {
             Status::Optimal | Status::Impossible => Some(Ended::Proof),
             Status::Feasible | Status::Unknown => Some(Ended::Time),

@@ -88,7 +88,6 @@ fn solving_again_goes_on_from_what_is_known() {
         costs: None,
         plan: None,
         bounds: [(Cost::Makespan, 12)].into(),
-        complete: false,
         stats: Stats::default(),
         ..told(&stopped)
     };

@@ -1,11 +1,11 @@
 //! What the page says in each state.
 
 use giveway_model::{Cell, Cost, Costs, Plan, Scene};
-use giveway_solve::{Progress, Response, SolveAnswer, Status};
+use giveway_solve::{Progress, Reason, Response, SolveAnswer, Status, Stop};
 
 use super::solve::respond;
 use super::{after, edit, fresh};
-use crate::sample::solved;
+use crate::sample::{reach, solved};
 use crate::words::{Badge, standing};
 use crate::{Action, Draft, SolveAction, State, WorkerAction};
 
@@ -59,7 +59,7 @@ fn with_a_plan() {
     let bounded = answered(|answer| {
         answer.status = Status::Optimal;
         answer.costs = Some(COSTS);
-        answer.within = Some(40);
+        answer.reach = reach(Some(40));
     });
     let sentence = "Optimal within makespan 40: makespan 20, sum of costs 40, 1 charge.";
     check(&bounded, Badge::Proved, sentence);
@@ -120,12 +120,11 @@ fn a_plan_before_any_bound() {
 
 #[test]
 fn without_a_plan() {
-    let none = |within, reason: Option<&str>| {
+    let none = |within, reason: Option<Reason>| {
         answered(|answer| {
             answer.status = Status::Impossible;
-            answer.within = within;
-            answer.complete = within.is_none();
-            answer.reason = reason.map(str::to_owned);
+            answer.reach = reach(within);
+            answer.reason.clone_from(&reason);
         })
     };
     let check = |state: &State, sentence| check(state, Badge::Impossible, sentence);
@@ -134,10 +133,11 @@ fn without_a_plan() {
         &none(None, None),
         "No plan exists, no matter how many steps you allow.",
     );
-    let reason = Some("A1 and A2 cannot both arrive.");
+    let agents = vec!["A1".to_owned(), "A2".to_owned()];
+    let reason = Some(Reason::Clash { agents });
     let sentence =
         "No plan exists, no matter how many steps you allow: A1 and A2 cannot both arrive.";
-    check(&none(None, reason), sentence);
+    check(&none(None, reason.clone()), sentence);
     let sentence = "No plan within makespan 40: A1 and A2 cannot both arrive.";
     check(&none(Some(40), reason), sentence);
 }
@@ -151,7 +151,7 @@ fn a_stale_answer_without_a_plan() {
 
 #[test]
 fn out_of_budget() {
-    let reason = Some("The time limit was reached.".to_owned());
+    let reason = Some(Reason::Stopped(Stop::Time));
     let unknown = answered(|answer| answer.reason = reason.clone());
     let sentence = "The time limit was reached. There may be a plan; none was found yet. \
                     Proved so far: makespan is at least 17.";

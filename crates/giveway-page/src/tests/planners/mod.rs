@@ -98,7 +98,10 @@ fn no_other_planner_proves_anything() {
         let state = planned(&crossing(&[Cost::SumOfCosts]), planner);
         let solved = state.document.answer.clone().unwrap().solved.clone();
         assert_eq!(solved.status, Status::Feasible, "{planner}");
-        assert!(solved.bounds.is_empty() && !solved.complete, "{planner}");
+        assert!(
+            solved.bounds.is_empty() && !solved.reach.is_complete(),
+            "{planner}"
+        );
         let said = saying(&state);
         let found = format!("{} found a plan: sum of costs ", planner.title());
         assert!(said.starts_with(&found), "{said}");

@@ -6,6 +6,7 @@ use giveway_model::{Cost, Costs, Instance, Plan, check::check};
 
 use super::{audit, request};
 use crate::audit::{AuditStatus, conclude::conclude};
+use crate::budget::Stop;
 use crate::tests::instance;
 use crate::{Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
 
@@ -80,8 +81,8 @@ fn what_a_legal_plan_disproves_is_never_claimed() {
         assert_eq!(answer.status, AuditStatus::Unknown);
         assert_eq!(answer.bounds, BTreeMap::new());
         assert_eq!((answer.gap, &answer.better), (None, &None));
-        assert!(!answer.complete);
-        assert!(answer.reason.unwrap().contains("fault of this program"));
+        assert!(!answer.reach.is_complete());
+        assert!(answer.reason == Some(Stop::Contradiction.into()));
     }
     let answer = conclude(objective, check(&bay, &plan), honest);
     assert_eq!(answer.status, AuditStatus::Optimal);
@@ -127,7 +128,7 @@ fn where_there_is_no_legal_plan_that_is_said() {
     let answer = audit(&request(&walled, &Plan::default()), &SilentHost);
     assert_eq!(answer.status, AuditStatus::Illegal);
     assert_eq!(answer.search, Status::Impossible);
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
     assert_eq!(answer.costs, None);
 }
 

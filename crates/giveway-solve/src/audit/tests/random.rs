@@ -182,12 +182,18 @@ fn however_soon_it_ends_a_bound_is_known_and_none_is_too_high() {
             if let Some(&bound) = answer.bounds.get(&first) {
                 let own = answer.costs.unwrap().get(first);
                 assert!(bound <= own, "{seed}");
-                assert!(!answer.complete || bound <= best.get(first), "{seed}");
-                assert!(answer.complete || answer.within.is_some(), "{seed}");
+                assert!(
+                    !answer.reach.is_complete() || bound <= best.get(first),
+                    "{seed}"
+                );
+                assert!(
+                    answer.reach.is_complete() || answer.reach.within().is_some(),
+                    "{seed}"
+                );
             } else {
                 assert_eq!(answer.status, AuditStatus::Unknown, "{seed}");
             }
-            within += u32::from(!answer.complete);
+            within += u32::from(!answer.reach.is_complete());
         }
     }
     assert!(within > 0);

@@ -6,7 +6,8 @@ use giveway_model::{Cost, Costs, Objective, Plan, Version};
 
 use crate::audit::words::{headline, notes};
 use crate::audit::{AuditAnswer, AuditStatus, gap};
-use crate::{Stats, Status};
+use crate::budget::Stop;
+use crate::{Reach, Stats, Status};
 
 fn costs(makespan: u32, sum_of_costs: u32) -> Costs {
     Costs {
@@ -29,8 +30,7 @@ fn answer(status: AuditStatus, bounds: &[(Cost, u32)], better: Option<Costs>) ->
         objective,
         costs: Some(own),
         bounds,
-        within: None,
-        complete: true,
+        reach: Reach::unproved(None),
         status,
         better: better.map(|_| Plan::default()),
         better_costs: better,
@@ -51,14 +51,14 @@ fn says(answer: &AuditAnswer, expected: &str) {
 fn a_legal_plan_is_at_most_so_far_from_the_best() {
     let sum = |bound| [(Cost::SumOfCosts, bound)];
     let mut one = answer(AuditStatus::Feasible, &sum(84), None);
-    one.reason = Some("The time limit was reached.".to_owned());
+    one.reason = Some(Stop::Time.into());
     says(
         &one,
         "At most 1.2 % above the best: its sum of costs is 85, and no plan has less than 84. \
          The time limit was reached.",
     );
     one.reason = None;
-    (one.complete, one.within) = (false, Some(40));
+    one.reach = Reach::unproved(Some(40));
     says(
         &one,
         "At most 1.2 % above the best: its sum of costs is 85, and no plan of makespan at most \
@@ -112,7 +112,7 @@ fn the_best_plan_is_proved_to_be_it() {
     let both = [(Cost::SumOfCosts, 85), (Cost::Makespan, 12)];
     let mut one = answer(AuditStatus::Optimal, &both, None);
     says(&one, "The best: proved.");
-    (one.complete, one.within) = (false, Some(40));
+    one.reach = Reach::unproved(Some(40));
     says(
         &one,
         "The best: proved, among plans of makespan at most 40.",

@@ -2,23 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Costs, Version, sorting, tr};
+use giveway_model::{Cost, Costs, Version, sorting};
 
 use super::{
     MethodFound, blocked,
     judged::{disturb_few, judged},
 };
 use crate::{
-    Ended, SolveAnswer, Status,
+    Ended, Reach, Reason, SolveAnswer, Status,
     budget::Stop,
     change::{
         Cause, Method, MethodAnswer,
         compare::{Comparison, compare},
         freed::{Case, Trouble},
-        words,
     },
-    judged::{Judged, told},
-    search::{Aim, Reach},
+    judged::Judged,
+    search::{Aim, Proved},
     walk::Walk,
 };
 
@@ -27,39 +26,35 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
     let (status, reach, ended, reason, cause) = match trouble {
         Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
-            let free = Method::Replan;
-            let text = words::cause(free, case.name(agent), fault.kind, fault.cell, &[], false);
             let cause = Cause {
                 agent: case.name(agent).to_owned(),
                 kind: fault.kind,
                 cell: fault.cell,
                 agents: Vec::new(),
                 within: None,
-                text: text.clone(),
+                method: Method::Replan,
+                has_batteries: false,
             };
-            let reach = Reach::ForEver(reason);
+            let reach = Proved::ForEver(reason);
             (
                 Status::Impossible,
                 Some(reach),
                 Ended::Proof,
-                text,
+                Reason::Cause(cause.clone()),
                 Some(cause),
             )
         }
         // (Whoever cannot be held to the method is freed before.)
         Trouble::Held(..) => {
-            let reason = Stop::Contradiction.sentence().to_owned();
+            let reason = Stop::Contradiction.into();
             (Status::Unknown, None, Ended::Fault, reason, None)
         }
         Trouble::TooManyWaypoints(agent) => {
-            let name = case.name(agent);
-            let reason = tr!("{name} has more waypoints than can be planned for.", name);
+            let agent = case.name(agent).to_owned();
+            let reason = Reason::ManyWaypoints { agent };
             (Status::Unknown, None, Ended::Size, reason, None)
         }
-        Trouble::Stopped(stop) => {
-            let reason = stop.sentence().to_owned();
-            (Status::Unknown, None, stop.into(), reason, None)
-        }
+        Trouble::Stopped(stop) => (Status::Unknown, None, stop.into(), stop.into(), None),
     };
     MethodAnswer {
         result: SolveAnswer::without_plan(status, reach, (ended, reason), case.budget.stats()),
@@ -101,16 +96,15 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let Judged {
         plan, status, stop, ..
     } = judged;
-    let (complete, within) = told(judged.reach);
-    let within = within.map(|within| case.snapshot.at.saturating_add(within));
+    let reach = Reach::from(judged.reach).later(case.snapshot.at);
     let clash = &found.verdict.clash;
     let cause = match status {
-        Status::Impossible => Some(blocked(case, clash, within)),
+        Status::Impossible => Some(blocked(case, clash, reach.within())),
         _ => found.cause.clone(),
     };
     let reason = match (stop, &cause) {
-        (Some(stop), _) => Some(stop.sentence().to_owned()),
-        (None, Some(cause)) if status == Status::Impossible => Some(cause.text.clone()),
+        (Some(stop), _) => Some(stop.into()),
+        (None, Some(cause)) if status == Status::Impossible => Some(Reason::Cause(cause.clone())),
         _ => None,
     };
     let comparison = plan.as_ref().map(|(plan, _)| compare(case.snapshot, plan));
@@ -128,8 +122,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
             status,
             costs,
             bounds,
-            within,
-            complete,
+            reach,
             ended: Some(Ended::by(stop)),
             reason,
             plan,

@@ -2,7 +2,7 @@
 
 use giveway_model::Cell;
 
-use crate::change::{Cause, CauseKind, freed::Case, keep::Fault, words};
+use crate::change::{Cause, CauseKind, freed::Case, keep::Fault};
 
 pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {
     let name = case.name(agent);
@@ -12,7 +12,8 @@ pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause
         cell: fault.cell,
         agents: Vec::new(),
         within: None,
-        text: words::cause(case.method, name, fault.kind, fault.cell, &[], false),
+        method: case.method,
+        has_batteries: false,
     }
 }
 
@@ -33,20 +34,13 @@ pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>
         .iter()
         .filter_map(|&agent| case.agent(agent))
         .any(|(agent, _)| agent.battery.is_some());
-    let text = words::cause(
-        case.method,
-        &agent,
-        CauseKind::Blocked,
-        cell,
-        &names,
-        has_batteries,
-    );
     Cause {
         agent,
         kind: CauseKind::Blocked,
         cell,
         agents: names,
         within,
-        text,
+        method: case.method,
+        has_batteries,
     }
 }

@@ -49,7 +49,10 @@ fn answered(plan: &str, changes: &str, since: Option<u32>) -> Response {
 fn makespan(answer: &ChangeAnswer, method: Method) -> u32 {
     let answer = answer.methods.get(method).unwrap();
     assert_eq!(answer.result.status, Status::Optimal);
-    assert!(answer.result.complete && answer.closest, "{answer:?}");
+    assert!(
+        answer.result.reach.is_complete() && answer.closest,
+        "{answer:?}"
+    );
     assert!(answer.freed.is_empty() && answer.cause.is_none());
     answer.result.costs.unwrap().makespan
 }

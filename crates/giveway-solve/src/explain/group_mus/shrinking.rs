@@ -13,7 +13,7 @@ use crate::{
         causes::Refuted,
         group::{Group, Variant, fit, groups, without},
     },
-    search::Reach,
+    search::Proved,
 };
 
 /// The latest plans of other variants that are tried before any search.
@@ -45,7 +45,7 @@ pub(super) struct Shrinking<'a> {
     /// Plans that some variant had.
     plans: Vec<Plan>,
     /// How far the last refutation reaches.
-    reach: Reach,
+    reach: Proved,
 }
 
 impl<'a> Shrinking<'a> {

@@ -12,7 +12,7 @@ use crate::{
     explain::ask::{Ask, Found, any, at_most, best},
     joint,
     problem::{Problem, Relaxed},
-    search::Reach,
+    search::Proved,
     tests::{instance, random},
 };
 
@@ -46,7 +46,7 @@ fn a_corridor_is_free_for_two_that_ignore_each_other() {
     let corridor = instance("aB . bA");
     let found = by_any(&corridor, &Relaxed::default());
     assert_eq!(
-        (found.status, found.reach.is_some_and(Reach::is_complete)),
+        (found.status, found.reach.is_some_and(Proved::is_complete)),
         (Status::Impossible, true)
     );
     let relaxed = Relaxed {
@@ -65,7 +65,7 @@ fn one_that_is_gone_blocks_nobody() {
     let passage = instance("a b B A");
     let found = by_any(&passage, &Relaxed::default());
     assert_eq!(
-        (found.status, found.reach.is_some_and(Reach::is_complete)),
+        (found.status, found.reach.is_some_and(Proved::is_complete)),
         (Status::Impossible, true)
     );
     let relaxed = Relaxed {
@@ -98,7 +98,7 @@ fn relaxed_optima_are_those_of_the_joint_states() {
         let found = match least {
             None | Some(joint::Exhausted::None(_)) => {
                 assert_eq!(any.status, Status::Impossible, "{seed}");
-                (found.status, found.reach.is_some_and(Reach::is_complete))
+                (found.status, found.reach.is_some_and(Proved::is_complete))
             }
             Some(joint::Exhausted::Best(least, _)) => {
                 assert_eq!(any.status, Status::Feasible, "{seed}");
@@ -145,7 +145,7 @@ fn at_most_is_met_by_the_optimum_and_by_nothing_less() {
                 at_most(ask, less, &budget())
             });
             assert_eq!(none.status, Status::Impossible, "{seed}");
-            assert!(none.reach.is_some_and(Reach::is_complete), "{seed}");
+            assert!(none.reach.is_some_and(Proved::is_complete), "{seed}");
             missed += 1;
         }
     }

@@ -49,7 +49,7 @@ fn a_broken_robot_waits_because_of_its_breakdown() {
         let answer = lane.ask(words);
         assert_eq!(answer.since, Some(1), "{words}");
         assert_eq!(answer.verdict, Verdict::Necessary, "{words}");
-        assert!(answer.complete, "{words}");
+        assert!(answer.reach.is_complete(), "{words}");
         assert_eq!(texts(&answer), [BROKEN], "{words}");
         let core = answer.core.unwrap();
         assert!(core.minimal, "{words}");
@@ -234,7 +234,7 @@ fn a_battery_that_a_breakdown_empties() {
         (answer.since, answer.verdict),
         (Some(1), Verdict::Necessary)
     );
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
     let texts = texts(&answer);
     assert!(
         texts.contains(&"a is broken down from time 1 to 4"),

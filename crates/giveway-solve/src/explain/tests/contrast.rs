@@ -83,7 +83,7 @@ fn a_person_is_told_who_is_in_the_way() {
         answer.words
     );
     let core = answer.core.unwrap();
-    assert!(core.minimal && core.complete);
+    assert!(core.minimal && core.reach.is_complete());
     let kinds: Vec<FactKind> = core.facts.iter().map(|fact| fact.kind).collect();
     assert!(kinds.contains(&FactKind::Collision), "{kinds:?}");
     // Each repair is a plan of the edited instance that is as asked for.

@@ -58,7 +58,7 @@ fn fewer_moves_where_moves_come_first() {
         "charges": { "A1": [3, 8], "A2": [2, 7, 11] } }"#;
     let answer = fewer_moves((instance, plan), "moves,sum-of-costs", 200);
     assert_eq!(answer.verdict, Verdict::Improvable);
-    assert!(answer.complete, "{answer:?}");
+    assert!(answer.reach.is_complete(), "{answer:?}");
 }
 
 /// The limit is on a later cost: what is used of it is part of the joint states.
@@ -80,7 +80,7 @@ fn fewer_moves_where_waits_come_first() {
     let objective = "waits,moves,makespan,sum-of-costs,charges";
     let answer = fewer_moves((instance, plan), objective, 26);
     assert_eq!(answer.verdict, Verdict::Costly);
-    assert!(answer.complete, "{answer:?}");
+    assert!(answer.reach.is_complete(), "{answer:?}");
 }
 
 /// Leaving out two waypoints is enough, though SAT does not find the plan soon.

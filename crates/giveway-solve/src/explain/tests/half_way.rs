@@ -29,7 +29,7 @@ fn who_is_half_way_along_a_slow_move_completes_it() {
     // What it is at when the change comes cannot be taken back.
     let answer = course.ask("visit a --at 2,0 --time 2");
     assert_eq!(answer.verdict, Verdict::Necessary, "{}", answer.words);
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn two_that_are_on_one_slow_edge_collide() {
         (answer.since, answer.verdict),
         (Some(1), Verdict::Necessary)
     );
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
     let rules: Vec<Rule> = answer.witness.iter().map(|it| it.violation.rule).collect();
     assert_eq!(rules, [Rule::SlowSwap], "{}", answer.words);
 }

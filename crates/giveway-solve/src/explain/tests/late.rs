@@ -20,7 +20,10 @@ fn a_horizon_that_suffices_for_costs_proves_nothing_of_closeness() {
         at: Cell::new(2, 0),
     };
     let answer = asked(&instance, (Some(plan.clone()), question), "moves", None);
-    assert_eq!((answer.verdict, answer.complete), (Verdict::Costly, true));
+    assert_eq!(
+        (answer.verdict, answer.reach.is_complete()),
+        (Verdict::Costly, true)
+    );
     let path = answer.alternative.unwrap().paths["A"].clone();
     let own = &plan.paths["A"];
     let at = |path: &[Option<Cell>], time: usize| *path.get(time).or(path.last()).unwrap();

@@ -274,7 +274,7 @@ fn why_there_is_no_way_to_go_on() {
         (answer.since, answer.verdict),
         (Some(1), Verdict::Necessary)
     );
-    assert!(answer.complete);
+    assert!(answer.reach.is_complete());
     let words = answer.words;
     assert!(words.starts_with("This is about the plan from time 1 on. There is no plan."));
     assert!(words.contains("a must go from (1, 0) to (3, 0)"), "{words}");

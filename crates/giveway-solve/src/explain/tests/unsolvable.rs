@@ -83,10 +83,13 @@ fn scenario_6_is_answered_as_published() {
     let hit = (Rule::Obstacle, "a".to_owned(), cell(1, 0), 1);
     assert_eq!(told(Class::Obstacle), [hit]);
     assert!(told(Class::Battery).is_empty() && told(Class::Waypoint).is_empty());
-    assert_eq!((why.verdict, why.complete), (Verdict::Necessary, true));
+    assert_eq!(
+        (why.verdict, why.reach.is_complete()),
+        (Verdict::Necessary, true)
+    );
 
     let core = why.core.unwrap();
-    assert!(core.minimal && core.complete);
+    assert!(core.minimal && core.reach.is_complete());
     let facts: Vec<&str> = core.facts.iter().map(|fact| fact.text.as_str()).collect();
     assert_eq!(
         facts,

@@ -3,6 +3,7 @@
 use giveway_model::{Instance, Plan, Question, question::from_words};
 
 use super::{read, scenario_1};
+use crate::Reach;
 use crate::explain::{
     Core, Edit, Repair, Verdict, WitnessEntry,
     group::groups,
@@ -189,8 +190,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     let core = Core {
         facts: facts.collect(),
         minimal: true,
-        complete: true,
-        within: None,
+        reach: Reach::unproved(None),
         further: Vec::new(),
     };
     let repair = Repair {

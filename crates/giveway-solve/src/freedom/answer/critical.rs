@@ -6,6 +6,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Cost, Costs, message::read_map};
 use serde::{Deserialize, Serialize};
 
+use crate::Reach;
+
 /// A free cell of the map, and what it would cost to make it an obstacle.
 ///
 /// As JSON: `{ "cell": [5, 2], "status": "optimal", "costs": {..}, "deltas":
@@ -30,30 +32,21 @@ pub enum Closed {
         /// stands after a cost of which it has more.
         #[borsh(deserialize_with = "read_map")]
         deltas: BTreeMap<Cost, i64>,
-        /// How far the proof reaches.
-        proved: Proved,
+        /// How far the proof reaches; never nothing.
+        reach: Reach,
     },
     /// There is no plan.
     Impossible {
         /// Who needs the very cell, where somebody does.
         needed: Option<Need>,
-        /// How far the proof reaches.
-        proved: Proved,
+        /// How far the proof reaches; never nothing.
+        reach: Reach,
     },
     /// Neither was proved before the budget ran out.
     Unknown {
         /// Whether it is proved that it costs something, or leaves no plan.
         worse: bool,
     },
-}
-
-/// How far a proof reaches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
-pub enum Proved {
-    /// Whatever the horizon.
-    ForEver,
-    /// Among plans of at most this makespan.
-    Within(u32),
 }
 
 /// Why no scene is left without a cell.
@@ -103,8 +96,8 @@ struct WrittenCell {
     needed: Option<Need>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     worse: Option<bool>,
-    complete: bool,
-    within: Option<u32>,
+    #[serde(flatten)]
+    reach: Reach,
 }
 
 impl From<CriticalCell> for WrittenCell {
@@ -116,39 +109,26 @@ impl From<CriticalCell> for WrittenCell {
             deltas: None,
             needed: None,
             worse: None,
-            complete: false,
-            within: None,
-        };
-        let told = |proved| match proved {
-            Proved::ForEver => (true, None),
-            Proved::Within(makespan) => (false, Some(makespan)),
+            reach: Reach::default(),
         };
         match critical.closed {
             Closed::Optimal {
                 costs,
                 deltas,
-                proved,
-            } => {
-                let (complete, within) = told(proved);
-                Self {
-                    status: ClosedStatus::Optimal,
-                    costs: Some(costs),
-                    deltas: Some(deltas),
-                    complete,
-                    within,
-                    ..empty
-                }
-            }
-            Closed::Impossible { needed, proved } => {
-                let (complete, within) = told(proved);
-                Self {
-                    status: ClosedStatus::Impossible,
-                    needed,
-                    complete,
-                    within,
-                    ..empty
-                }
-            }
+                reach,
+            } => Self {
+                status: ClosedStatus::Optimal,
+                costs: Some(costs),
+                deltas: Some(deltas),
+                reach,
+                ..empty
+            },
+            Closed::Impossible { needed, reach } => Self {
+                status: ClosedStatus::Impossible,
+                needed,
+                reach,
+                ..empty
+            },
             Closed::Unknown { worse } => Self {
                 worse: Some(worse),
                 ..empty
@@ -161,20 +141,16 @@ impl TryFrom<WrittenCell> for CriticalCell {
     type Error = &'static str;
 
     fn try_from(written: WrittenCell) -> Result<Self, &'static str> {
-        let proved = match (written.complete, written.within) {
-            (true, None) => Some(Proved::ForEver),
-            (false, Some(makespan)) => Some(Proved::Within(makespan)),
-            _ => None,
-        };
-        let closed = match (written.status, proved, written.costs, written.deltas) {
-            (ClosedStatus::Optimal, Some(proved), Some(costs), Some(deltas)) => Closed::Optimal {
+        let reach = Some(written.reach).filter(|&reach| reach != Reach::default());
+        let closed = match (written.status, reach, written.costs, written.deltas) {
+            (ClosedStatus::Optimal, Some(reach), Some(costs), Some(deltas)) => Closed::Optimal {
                 costs,
                 deltas,
-                proved,
+                reach,
             },
-            (ClosedStatus::Impossible, Some(proved), None, None) => Closed::Impossible {
+            (ClosedStatus::Impossible, Some(reach), None, None) => Closed::Impossible {
                 needed: written.needed,
-                proved,
+                reach,
             },
             (ClosedStatus::Unknown, None, None, None) => Closed::Unknown {
                 worse: written.worse.unwrap_or(false),

@@ -16,13 +16,13 @@ use giveway_model::{Costs, Objective, Plan, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 pub use backbone::{Shared, Visit, same_steps};
-pub use critical::{Closed, CriticalCell, Need, Proved};
+pub use critical::{Closed, CriticalCell, Need};
 pub use known::{Known, PlanCount};
 pub use slack::{Hold, Later, Slack};
 pub use ways::{Farthest, Plans, Step, Ways};
 
 use super::FreedomPart;
-use crate::{Stats, Status};
+use crate::{Reach, Reason, Stats, Status};
 
 /// Which plan an answer is about.
 #[derive(
@@ -76,14 +76,12 @@ pub struct FreedomAnswer {
     /// under way there is what is known, and what is open in it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pending: Vec<FreedomPart>,
-    /// Whether what is said of all best plans holds whatever the horizon. Of closed
-    /// cells each says so itself.
-    pub complete: bool,
-    /// The makespan up to which it holds; `null` where complete.
-    pub within: Option<u32>,
-    /// Why something is open, as a sentence.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reason: Option<String>,
+    /// How far what is said of all best plans reaches. Of closed cells each says so itself.
+    #[serde(flatten)]
+    pub reach: Reach,
+    /// Why something is open; nothing in an answer that was read from JSON.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub reason: Option<Reason>,
     /// How much work it took.
     pub stats: Stats,
 }

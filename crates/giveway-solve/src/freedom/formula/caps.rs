@@ -4,13 +4,13 @@ use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
     problem::Problem,
-    search::{Reach, reach_of_best_plans},
+    search::{Proved, reach_of_best_plans},
 };
 
 /// The latest arrivals, and how far what is shown of all best plans reaches.
 pub(in crate::freedom) struct Caps {
     pub(in crate::freedom) latest: Vec<u32>,
-    pub(in crate::freedom) reach: Reach,
+    pub(in crate::freedom) reach: Proved,
 }
 
 /// The caps that the best costs give, and else the horizon.
@@ -18,7 +18,7 @@ pub(in crate::freedom) fn caps(
     problem: &Problem,
     (objective, best): (&Objective, &Costs),
     horizon: u32,
-    optimum: Reach,
+    optimum: Proved,
 ) -> Caps {
     let horizon = optimum
         .within()

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Objective};
 
-use super::{ForEver, Reach};
+use super::{ForEver, Proved};
 use crate::{
     problem::Problem,
     search::{horizon::Horizon, minima::LoneBound},
@@ -19,7 +19,7 @@ pub(crate) fn reach_of_bounds(
     objective: &Objective,
     bounds: &BTreeMap<Cost, u32>,
     lone: &BTreeMap<Cost, LoneBound>,
-) -> Reach {
+) -> Proved {
     let mut reason = None;
     for &cost in objective.costs() {
         let Some(&bound) = bounds.get(&cost) else {
@@ -28,7 +28,7 @@ pub(crate) fn reach_of_bounds(
         // A plan of less time is within the horizon; so are all among which the later
         // costs are bounded.
         if let Some(in_time) = horizon.covers(problem, cost, bound) {
-            return Reach::ForEver(in_time.into());
+            return Proved::ForEver(in_time.into());
         }
         let alone = lone.get(&cost).and_then(|lone| lone.shows(bound));
         let at_any = horizon.covers_all().map(ForEver::from);
@@ -37,5 +37,5 @@ pub(crate) fn reach_of_bounds(
             break;
         }
     }
-    Reach::new(reason, horizon.latest())
+    Proved::new(reason, horizon.latest())
 }

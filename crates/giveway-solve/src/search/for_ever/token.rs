@@ -11,7 +11,7 @@ use super::super::{
     horizon::AllInTime,
     minima::{LimitTooLow, NeededAlone},
 };
-use crate::{impose::Unmeetable, joint::AllStates, problem::HopelessAlone};
+use crate::{freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::HopelessAlone};
 
 /// A reason why a claim holds whatever the horizon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +47,8 @@ macro_rules! proofs {
 proofs! {
     /// An agent cannot do its task, or meet a condition, even alone.
     HopelessAlone,
+    /// An agent needs a cell that is closed.
+    CellNeeded,
     /// No plan meets a condition.
     Unmeetable,
     /// What agents need alone is above a limit.

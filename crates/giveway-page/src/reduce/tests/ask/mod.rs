@@ -10,7 +10,7 @@ use giveway_solve::explain::{Edit, ExplainAnswer, Part, Repair, Verdict};
 use giveway_solve::{Progress, Response, Stats};
 
 use crate::reduce::tests::after;
-use crate::sample::solved;
+use crate::sample::{reach, solved};
 use crate::{Action, AskAction, State, WorkerAction};
 
 fn question() -> Question {
@@ -73,8 +73,7 @@ fn told(state: &State) -> ExplainAnswer {
             (Cost::SumOfCosts, 0),
             (Cost::Charges, 1),
         ]),
-        within: None,
-        complete: true,
+        reach: reach(None),
         alternative: Some(plan),
         closest: false,
         witness: Vec::new(),

@@ -4,14 +4,14 @@ use super::ForEver;
 
 /// How far a claim reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Reach {
+pub(crate) enum Proved {
     /// Whatever the horizon.
     ForEver(ForEver),
     /// Among plans of at most this makespan.
     Within(u32),
 }
 
-impl Reach {
+impl Proved {
     /// Beyond a horizon only with a reason.
     pub(crate) fn new(reason: Option<ForEver>, horizon: u32) -> Self {
         reason.map_or(Self::Within(horizon), Self::ForEver)

@@ -1,0 +1,95 @@
+//! Why an answer has no plan or no proof, as data. Sentences of it are made where it is
+//! shown ([`words::reason`](crate::words::reason)).
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::{Assumption, Cost, check::MovingMeeting};
+use serde::{Serialize, Serializer};
+
+use crate::{budget::Stop, change::Cause};
+
+/// Why an answer has no plan or no proof. In JSON it is a sentence.
+///
+/// ```
+/// use giveway_solve::{Reason, words};
+/// let reason = Reason::Clash { agents: vec!["A1".into(), "A2".into()] };
+/// assert_eq!(words::reason(&reason), "A1 and A2 cannot both arrive.");
+/// assert_eq!(serde_json::to_value(&reason).unwrap(), "A1 and A2 cannot both arrive.");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub enum Reason {
+    /// The search ended early.
+    Stopped(Stop),
+    /// A person stopped the search on the page, which kept what was known.
+    StoppedByPerson,
+    /// An agent cannot do its task, even alone.
+    Alone {
+        /// The agent.
+        agent: String,
+    },
+    /// An agent has more waypoints than can be planned for.
+    ManyWaypoints {
+        /// The agent.
+        agent: String,
+    },
+    /// Agents that cannot all arrive; all of the scene where none is named.
+    Clash {
+        /// The agents.
+        agents: Vec<String>,
+    },
+    /// A method cannot go on after a change.
+    Cause(Cause),
+    /// What happened before a change takes longer than the horizon.
+    PastTooLong,
+    /// A planner that looks one step ahead came to a standstill.
+    Standstill {
+        /// The agents at their goals.
+        arrived: u32,
+        /// All agents.
+        of: u32,
+    },
+    /// A planner looked at as many states as it ever does.
+    Effort,
+    /// A planner proved its cost up to a makespan only.
+    LeastWithin {
+        /// The cost.
+        cost: Cost,
+        /// The makespan, in steps.
+        within: u32,
+    },
+    /// Another plan is known to be better.
+    Beaten,
+    /// Plans that cost less meet obstacles that move.
+    CheaperMeetMoving,
+    /// The best plan without the obstacles that move meets one.
+    BestMeetsMoving {
+        /// Their first meeting.
+        meeting: MovingMeeting,
+    },
+    /// A better plan was found that meets an obstacle that moves.
+    BetterMeetsMoving,
+    /// The plan may break rules that are left out.
+    LeftOutRules,
+    /// A better plan was found that may break rules that are left out.
+    BetterLeftOutRules,
+    /// There is no plan for the goals that were chosen of those that the file leaves open.
+    ChosenGoals,
+    /// What a legal plan costs depends on the goals that the file leaves open.
+    OpenGoals,
+    /// The file has keys that may change the problem.
+    UnknownKeys {
+        /// The keys.
+        keys: Vec<Assumption>,
+    },
+}
+
+impl From<Stop> for Reason {
+    fn from(stop: Stop) -> Self {
+        Self::Stopped(stop)
+    }
+}
+
+impl Serialize for Reason {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(&crate::words::reason(self))
+    }
+}
