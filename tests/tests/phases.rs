@@ -41,25 +41,45 @@ struct Seen {
     cores: usize,
     /// Cores over the violations of earlier ones.
     sums: usize,
+    /// Cores over the violations of earlier ones of the same round: the agents of a core are
+    /// looked at by themselves.
+    exhausted_cores: usize,
+    /// Cores in whose proof levels may have a part that only plans worse than the best one have.
+    hardened: usize,
     rounds: usize,
+    /// Gaps closed in one call though a further cost follows, which only the last phase does.
     closed: usize,
     /// Plans that local search found once the proof had begun.
     polished: usize,
+    /// Plans made of a model that ends a round.
+    upper_bounds: usize,
     exhausted: usize,
 }
 
 impl Seen {
     fn add(&mut self, answer: &SolveAnswer) {
-        let mut has_begun = false;
-        for event in &answer.trace.as_ref().unwrap().events {
+        let trace = answer.trace.as_ref().unwrap();
+        let last = trace.objective.costs().last();
+        let (mut has_begun, mut round) = (false, 0);
+        for event in &trace.events {
             match &event.event {
                 SearchEvent::Core(core) => {
                     has_begun = true;
                     self.cores += 1;
                     self.sums += usize::from(!core.sums.is_empty());
+                    let is_of_round = core.sums.iter().any(|sum| sum.event >= round);
+                    self.exhausted_cores += usize::from(is_of_round);
+                    self.hardened += usize::from(core.condition.at_most.is_some());
                 }
-                SearchEvent::Round { .. } => self.rounds += 1,
-                SearchEvent::Closed { .. } => self.closed += 1,
+                SearchEvent::Round { .. } => {
+                    round = event.number;
+                    self.rounds += 1;
+                }
+                SearchEvent::Closed { cost, .. } => self.closed += usize::from(Some(cost) != last),
+                SearchEvent::Plan {
+                    by: FoundBy::PartlySolver,
+                    ..
+                } => self.upper_bounds += 1,
                 SearchEvent::Exhausted { .. } => self.exhausted += 1,
                 SearchEvent::Plan {
                     by: FoundBy::Lns, ..
