@@ -16,7 +16,9 @@ use giveway_tests::compare::{self, Comparison};
 use giveway_tests::{ask, random, traced};
 
 /// Scenes that are compared at each pace.
-const SCENES: usize = 40;
+const SCENES: usize = 60;
+/// By so many steps a poor plan begins late.
+const LATE: usize = 3;
 
 /// Nothing is waited for, and no core is too small or too large for anything.
 fn eager() -> Thresholds {
@@ -41,25 +43,45 @@ struct Seen {
     cores: usize,
     /// Cores over the violations of earlier ones.
     sums: usize,
+    /// Cores over the violations of earlier ones of the same round: the agents of a core are
+    /// looked at by themselves.
+    exhausted_cores: usize,
+    /// Cores in whose proof levels may have a part that only plans worse than the best one have.
+    hardened: usize,
     rounds: usize,
+    /// Gaps closed in one call though a further cost follows, which only the last phase does.
     closed: usize,
     /// Plans that local search found once the proof had begun.
     polished: usize,
+    /// Plans made of a model that ends a round.
+    upper_bounds: usize,
     exhausted: usize,
 }
 
 impl Seen {
     fn add(&mut self, answer: &SolveAnswer) {
-        let mut has_begun = false;
-        for event in &answer.trace.as_ref().unwrap().events {
+        let trace = answer.trace.as_ref().unwrap();
+        let last = trace.objective.costs().last();
+        let (mut has_begun, mut round) = (false, 0);
+        for event in &trace.events {
             match &event.event {
                 SearchEvent::Core(core) => {
                     has_begun = true;
                     self.cores += 1;
                     self.sums += usize::from(!core.sums.is_empty());
+                    let is_of_round = core.sums.iter().any(|sum| sum.event >= round);
+                    self.exhausted_cores += usize::from(is_of_round);
+                    self.hardened += usize::from(core.condition.at_most.is_some());
                 }
-                SearchEvent::Round { .. } => self.rounds += 1,
-                SearchEvent::Closed { .. } => self.closed += 1,
+                SearchEvent::Round { .. } => {
+                    round = event.number;
+                    self.rounds += 1;
+                }
+                SearchEvent::Closed { cost, .. } => self.closed += usize::from(Some(cost) != last),
+                SearchEvent::Plan {
+                    by: FoundBy::PartlySolver,
+                    ..
+                } => self.upper_bounds += 1,
                 SearchEvent::Exhausted { .. } => self.exhausted += 1,
                 SearchEvent::Plan {
                     by: FoundBy::Lns, ..
@@ -82,10 +104,19 @@ fn scenes() -> impl Iterator<Item = Instance> {
         })
 }
 
-/// A plan that is far from the best: its moves are few, and it takes its time.
+/// A plan that is far from the best: its moves are few, and everybody begins late. (Where that
+/// is against the rules, the search begins without a plan.)
 fn poor(instance: &Instance) -> Option<Plan> {
     let moves = Objective::new(vec![Cost::Moves]).unwrap();
-    ask::best(&instance.clone().with_objective(moves), None).plan
+    let mut plan = ask::best(&instance.clone().with_objective(moves), None).plan?;
+    for path in plan.paths.values_mut() {
+        let first = path.first().copied()?;
+        path.splice(0..0, [first; LATE]);
+    }
+    for time in plan.charges.values_mut().flatten() {
+        *time += u32::try_from(LATE).unwrap();
+    }
+    Some(plan)
 }
 
 /// Compares the answers at a pace with the oracle; what the traces told.
@@ -140,6 +171,20 @@ fn rounds_of_cores_with_models_between_them() {
     assert!(seen.polished > 0, "{seen:?}");
 }
 
+/// Plans are made of the models between rounds only.
+#[test]
+fn upper_bounds_by_models() {
+    let seen = check(Thresholds {
+        closed_gap: 0,
+        exhausted_core: 0,
+        stretched_core: 0,
+        polish_after: u64::MAX,
+        polish_after_given: u64::MAX,
+        ..eager()
+    });
+    assert!(seen.upper_bounds > 0, "{seen:?}");
+}
+
 /// Cores of any size are exhausted and stretched.
 #[test]
 fn exhausted_cores() {
@@ -150,10 +195,10 @@ fn exhausted_cores() {
         upper_bound_after: u64::MAX,
         ..eager()
     });
-    assert!(seen.sums > 2, "{seen:?}");
+    assert!(seen.exhausted_cores > 2, "{seen:?}");
 }
 
-/// Each core ends its round, and none is made smaller.
+/// Each core ends its round, and none is made smaller; levels are excluded in between.
 #[test]
 fn a_round_for_each_core() {
     let seen = check(Thresholds {
@@ -164,7 +209,7 @@ fn a_round_for_each_core() {
         small_core: usize::MAX,
         ..eager()
     });
-    assert!(seen.rounds > 10, "{seen:?}");
+    assert!(seen.rounds > 10 && seen.hardened > 0, "{seen:?}");
 }
 
 /// Joint states are exhausted as soon as a clause was written.

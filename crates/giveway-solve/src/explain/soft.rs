@@ -108,8 +108,17 @@ struct SoftRules<'a, 'p, 'h> {
     horizon: u32,
     instance: &'a Instance,
     rules: &'a [Rule],
-    /// The best so far: its number of breaches, makespan, sum of costs, walks.
-    best: Option<(usize, u32, u32, Vec<Walk>)>,
+    /// The best plan so far.
+    best: Option<(Lowered, Vec<Walk>)>,
+}
+
+/// What is lowered, one after the other.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Lowered {
+    /// How many rules are broken.
+    count: usize,
+    makespan: u32,
+    sum: u32,
 }
 
 impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
@@ -138,10 +147,9 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
             return None;
         }
         let fewest = self.lower_all(first).is_ok();
-        let (count, .., walks) = self.best.as_ref()?;
-        let plan = self.plan(walks);
+        let (Lowered { count, .. }, walks) = self.best.as_ref()?;
         Some(Broken {
-            plan,
+            plan: self.plan(walks),
             count: *count,
             fewest,
         })
@@ -153,8 +161,8 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
         to_plan(self.problem, &names, walks)
     }
 
-    /// Solves; keeps a model that is better, and tells its number of breaches.
-    fn model(&mut self, assumptions: &[Lit]) -> Result<Option<usize>, Stop> {
+    /// Solves; keeps a model that is better, and tells what it has of what is lowered.
+    fn model(&mut self, assumptions: &[Lit]) -> Result<Option<Lowered>, Stop> {
         if let Outcome::Unsat(_) = self.team.solve(assumptions)? {
             return Ok(None);
         }
@@ -165,17 +173,16 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
         if violations.iter().any(|v| !self.rules.contains(&v.rule)) {
             return Err(Stop::Contradiction);
         }
-        let count = violations.len();
         let arrivals = walks.iter().map(|walk| arrival(walk));
-        let (makespan, sum) = (arrivals.clone().max().unwrap_or(0), arrivals.sum());
-        let better = self
-            .best
-            .as_ref()
-            .is_none_or(|&(c, m, s, _)| (count, makespan, sum) < (c, m, s));
-        if better {
-            self.best = Some((count, makespan, sum, walks));
+        let found = Lowered {
+            count: violations.len(),
+            makespan: arrivals.clone().max().unwrap_or(0),
+            sum: arrivals.sum(),
+        };
+        if self.best.as_ref().is_none_or(|(best, _)| found < *best) {
+            self.best = Some((found, walks));
         }
-        Ok(Some(count))
+        Ok(Some(found))
     }
 
     /// Takes over the last model, which is as good as the best.
@@ -187,9 +194,9 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
         let judged = violations.iter().all(|v| self.rules.contains(&v.rule));
         if let Some(best) = &mut self.best
             && judged
-            && violations.len() <= best.0
+            && violations.len() <= best.0.count
         {
-            best.3 = walks;
+            best.1 = walks;
         }
     }
 }

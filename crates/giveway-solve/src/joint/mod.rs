@@ -9,6 +9,8 @@ mod event;
 mod search;
 mod states;
 mod tally;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,11 @@
 //! One number after the other, as low as can be: the breaches, the deadline, the
 //! sum of costs.
+//!
+//! By linear SAT-UNSAT search (model-improving search; Le Berre and Parrain 2010, after Eén
+//! and Sörensson 2006): there are few breaches, and each model judged is a better plan at hand
+//! when the budget ends, which core-guided search would have at its end only.
 
-use super::SoftRules;
+use super::{Lowered, SoftRules};
 use crate::{
     budget::Stop,
     encode::totalizer::{capped, totalizer},
@@ -21,9 +25,9 @@ impl SoftRules<'_, '_, '_> {
         let (mut before, mut deadline) = (None, first);
         let mut sooner = None;
         loop {
-            let found = self.best.as_ref().map(|best| best.0);
+            let found = self.lowered().map(|best| best.count);
             self.lower_count(deadline)?;
-            let now = self.best.as_ref().map(|best| best.0);
+            let now = self.lowered().map(|best| best.count);
             if now != found {
                 sooner = before;
             }
@@ -34,20 +38,47 @@ impl SoftRules<'_, '_, '_> {
             let delay = (deadline - first).max(1);
             deadline = (deadline + delay).min(self.horizon);
         }
-        let Some((count, latest, ..)) = self.best else {
+        let Some(Lowered {
+            count, makespan, ..
+        }) = self.lowered()
+        else {
             return Ok(());
         };
         let breaches = (self.breaches)(&self.team, self.problem);
         let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
         let counted = capped(&lits, count + 1, self.team.clauses())?;
         let mut fixed: Vec<Lit> = counted.get(count).map(|&more| !more).into_iter().collect();
-        self.lower_deadline(sooner.map_or(first, |d| d + 1), latest, &fixed)?;
-        let Some((_, latest, ..)) = self.best else {
-            return Ok(());
-        };
-        fixed.extend(self.deadlines(latest));
-        self.lower_sum(latest, &mut fixed)?;
+        let from = sooner.map_or(first, |deadline| deadline + 1);
+        let sooner: Vec<Vec<Lit>> = (from..makespan).map(|time| self.deadlines(time)).collect();
+        self.lower(from as usize, &sooner, &fixed, |it| it.makespan as usize)?;
+        self.lower_sum(&mut fixed)?;
         self.order_breaches(breaches, fixed)
+    }
+
+    /// Lowers a number by linear SAT-UNSAT search: each model says what the next one has to be
+    /// below, until there is none. The assumptions of each level say that the number is at most
+    /// so much, from its `least` on.
+    fn lower(
+        &mut self,
+        least: usize,
+        levels: &[Vec<Lit>],
+        fixed: &[Lit],
+        number: impl Fn(Lowered) -> usize,
+    ) -> Result<(), Stop> {
+        let mut below = levels;
+        while let Some((level, lower)) = below.split_last() {
+            let Some(found) = self.model(&[level, fixed].concat())? else {
+                break;
+            };
+            let further = number(found).saturating_sub(least);
+            below = lower.get(..further).unwrap_or(lower);
+        }
+        Ok(())
+    }
+
+    /// What the best plan so far has.
+    fn lowered(&self) -> Option<Lowered> {
+        self.best.as_ref().map(|&(best, _)| best)
     }
 
     /// All agents arrive by a time.
@@ -57,62 +88,42 @@ impl SoftRules<'_, '_, '_> {
         agents.filter_map(by).collect()
     }
 
-    /// The fewest breaches at a deadline.
+    /// The fewest breaches at a deadline; there is at least one.
     fn lower_count(&mut self, deadline: u32) -> Result<(), Stop> {
         for agent in 0..self.problem.agents() {
             self.team.grow(agent, deadline)?;
         }
-        let most = self.best.as_ref().map_or(MOST_BROKEN, |best| best.0 - 1);
+        let most = self.lowered().map_or(MOST_BROKEN, |best| best.count.saturating_sub(1));
         let breaches = (self.breaches)(&self.team, self.problem);
         let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
         let counted = capped(&lits, most + 1, self.team.clauses())?;
+        let at_most = |k: usize| counted.get(k).map(|&more| !more).into_iter().collect();
+        let levels: Vec<Vec<Lit>> = (1..=most).map(at_most).collect();
         let by = self.deadlines(deadline);
-        let mut most = Some(most);
-        while let Some(k) = most.filter(|&k| k > 0) {
-            let mut assumptions = by.clone();
-            assumptions.extend(counted.get(k).map(|&more| !more));
-            let Some(found) = self.model(&assumptions)? else {
-                break;
-            };
-            most = found.checked_sub(1);
-        }
-        Ok(())
+        self.lower(1, &levels, &by, |it| it.count)
     }
 
-    /// The earliest deadline for the fewest breaches.
-    fn lower_deadline(&mut self, from: u32, latest: u32, fixed: &[Lit]) -> Result<(), Stop> {
-        for deadline in from..latest {
-            let mut assumptions = self.deadlines(deadline);
-            assumptions.extend(fixed);
-            if self.model(&assumptions)?.is_some() {
-                return Ok(());
-            }
-        }
-        Ok(())
-    }
-
-    /// The least sum of costs with the fewest breaches by a deadline.
-    fn lower_sum(&mut self, latest: u32, fixed: &mut Vec<Lit>) -> Result<(), Stop> {
+    /// The least sum of costs with the fewest breaches by the earliest deadline, both of which
+    /// are fixed with it.
+    fn lower_sum(&mut self, fixed: &mut Vec<Lit>) -> Result<(), Stop> {
+        let Some(Lowered { makespan, sum, .. }) = self.lowered() else {
+            return Ok(());
+        };
+        fixed.extend(self.deadlines(makespan));
         let mut delays = Vec::new();
         for agent in 0..self.problem.agents() {
-            for time in self.problem.optima[agent]..latest {
+            for time in self.problem.optima[agent]..makespan {
                 delays.extend(self.team.by(agent, time).map(|by| !by));
             }
         }
-        let least: u32 = self.problem.optima.iter().sum();
         let outputs = totalizer(&delays, self.team.clauses())?;
-        loop {
-            let Some(&(_, _, sum, _)) = self.best.as_ref() else {
-                return Ok(());
-            };
-            let delay = (sum - least) as usize;
-            let fewer = delay.checked_sub(1).and_then(|d| outputs.get(d));
-            let mut assumptions = fixed.clone();
-            assumptions.extend(fewer.map(|&more| !more));
-            if fewer.is_none() || self.model(&assumptions)?.is_none() {
-                fixed.extend(outputs.get(delay).map(|&more| !more));
-                return Ok(());
-            }
-        }
+        let least: u32 = self.problem.optima.iter().sum();
+        let delay = |sum: u32| (sum - least) as usize;
+        let fewer = outputs.iter().take(delay(sum));
+        let levels: Vec<Vec<Lit>> = fewer.map(|&more| vec![!more]).collect();
+        self.lower(least as usize, &levels, fixed, |it| it.sum as usize)?;
+        let sum = self.lowered().map_or(sum, |best| best.sum);
+        fixed.extend(outputs.get(delay(sum)).map(|&more| !more));
+        Ok(())
     }
 }

@@ -17,7 +17,7 @@ impl SoftRules<'_, '_, '_> {
         mut fixed: Vec<Lit>,
     ) -> Result<(), Stop> {
         sort(&mut breaches);
-        let Some(count) = self.best.as_ref().map(|best| best.0) else {
+        let Some(count) = self.best.as_ref().map(|(best, _)| best.count) else {
             return Ok(());
         };
         if matches!(self.team.solve(&fixed)?, Outcome::Unsat(_)) {
