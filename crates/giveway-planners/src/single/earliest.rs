@@ -55,10 +55,11 @@ pub fn earliest(
     let conditions = &task.conditions;
     // Alone it has no need to wait, but for a breakdown before its arrival.
     let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
-    if !arrives && !conditions.waits.is_empty() {
+    if !arrives {
         let delayed = (0..task.delay()).map(|_| task.first_place());
         let held = (task.delay()..=task.held).map(|_| Place::At(task.start));
-        if !conditions.keeps_waits(&delayed.chain(held).collect::<Vec<Place>>()) {
+        let walk: Vec<Place> = delayed.chain(held).collect();
+        if !conditions.waits.iter().all(|wait| wait.is_kept(&walk)) {
             return Ok(Err(hopeless));
         }
     }
