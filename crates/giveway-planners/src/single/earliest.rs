@@ -8,13 +8,9 @@ use std::collections::BTreeMap;
 
 use super::{CostToGo, Hopeless, Place, Required, State, Task, task::Mask};
 use crate::{
-    budget::{Budget, Stop},
+    budget::{Budget, MOST_TIMES, Stop},
     terrain::Terrain,
 };
-
-/// Times that are followed step by step. Where conditions are about later ones, the tables give a
-/// lower bound, which need not be an arrival.
-const MOST_TIMES: u32 = 20_000;
 
 /// The same by the tables alone, after what it has to wait for at first.
 fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) -> Option<u32> {
@@ -77,6 +73,7 @@ pub fn earliest(
         return Ok(known(table));
     };
     if last > MOST_TIMES {
+        // The tables give a lower bound, which need not be an arrival.
         let done = conditions.required.iter().map(Required::times);
         let done = done.filter(|times| !times.are_all());
         let bound = done.fold(table, |bound, times| {
