@@ -106,11 +106,38 @@ fn question(instance: &Instance, plan: &Plan, random: &mut ChaCha8Rng) -> Option
             if let Some(question) = drawn
                 && fits(&question, instance, plan).is_ok()
             {
+                assert!(draws(kind, &question), "{kind}: {question:?}");
                 return Some(question);
             }
         }
     }
     None
+}
+
+/// Whether a number draws questions of this kind: a new kind needs a number of its own, in
+/// [`Draw::question`], too.
+fn draws(kind: usize, question: &Question) -> bool {
+    match question {
+        Question::Wait { .. } => kind <= 1,
+        Question::Charge { .. } => kind == 2,
+        Question::NoCharge { .. } => kind == 3,
+        Question::Visit { .. } => kind == 4,
+        Question::NoVisit { .. } => kind == 5,
+        Question::Move { .. } => kind == 6,
+        Question::NoMove { .. } => kind == 7,
+        Question::Slow { .. } => kind == 8,
+        Question::Order { .. } => kind == 9,
+        Question::Arrival { .. } => kind == 10,
+        Question::Length { .. } => kind == 11,
+        Question::Makespan => kind == 12,
+        Question::SumOfCosts => kind == 13,
+        Question::Charges { .. } => kind == 14,
+        Question::Moves { .. } => kind == 15,
+        Question::Waits { .. } => kind == 16,
+        Question::Yield { .. } => kind == 17,
+        // They have no contrast.
+        Question::Unsolvable | Question::Plan => false,
+    }
 }
 
 /// The parts of a question, drawn.
@@ -220,11 +247,12 @@ impl Draw<'_> {
             16 => Question::Waits {
                 agent: self.maybe(agent),
             },
-            _ => Question::Yield {
+            17 => Question::Yield {
                 agent,
                 to: self.agent()?,
                 at: cell,
             },
+            _ => unreachable!("there are {KINDS} kinds"),
         })
     }
 }

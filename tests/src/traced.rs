@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Costs, Instance, Objective};
-use giveway_solve::trace::{Condition, Core, SearchEvent, SearchTrace};
+use giveway_solve::trace::{Core, Scope, SearchEvent, SearchTrace};
 use giveway_solve::{SolveAnswer, Status};
 
 use crate::oracle::AtMost;
@@ -217,7 +217,7 @@ impl Replay<'_> {
 pub fn claims(core: &Core) -> Vec<Vec<AtMost>> {
     let mut claims = Vec::new();
     if core.sums.is_empty() {
-        let mut limits = conditions(&core.condition, core.cost);
+        let mut limits = limits(&core.scope, core.cost);
         for limit in &core.limits {
             limits.push(AtMost {
                 cost: core.cost,
@@ -228,7 +228,7 @@ pub fn claims(core: &Core) -> Vec<Vec<AtMost>> {
         claims.push(limits);
     }
     if let Some(together) = &core.together {
-        let mut limits = conditions(&core.condition, core.cost);
+        let mut limits = limits(&core.scope, core.cost);
         let least: u32 = together.agents.iter().map(|agent| agent.least).sum();
         limits.push(AtMost {
             cost: core.cost,
@@ -241,10 +241,10 @@ pub fn claims(core: &Core) -> Vec<Vec<AtMost>> {
 }
 
 /// The plans that a claim is about.
-pub fn conditions(condition: &Condition, cost: Cost) -> Vec<AtMost> {
-    let given = condition.given.iter().map(|(&cost, &most)| (cost, most));
-    let better = condition.at_most.map(|most| (cost, most));
-    let within = condition.within.map(|most| (Cost::Makespan, most));
+pub fn limits(scope: &Scope, cost: Cost) -> Vec<AtMost> {
+    let given = scope.given.iter().map(|(&cost, &most)| (cost, most));
+    let better = scope.at_most.map(|most| (cost, most));
+    let within = scope.within.map(|most| (Cost::Makespan, most));
     let all = given.chain(better).chain(within);
     all.map(|(cost, most)| AtMost {
         cost,

@@ -164,7 +164,14 @@ fn cases(instance: &Instance, condition: Option<&Condition>) -> Vec<Option<Case>
                 },
             }]
         }
-        condition => vec![early(Question::with_contrast(condition).unwrap())],
+        condition @ (Condition::Never { .. }
+        | Condition::Visit { agent: Some(_), .. }
+        | Condition::Move { .. }
+        | Condition::Charge { .. }
+        | Condition::Before { .. }
+        | Condition::Below { agent: None, .. }) => {
+            vec![early(Question::with_contrast(condition).unwrap())]
+        }
     };
     let case = |question| {
         Some(Case {
@@ -187,7 +194,20 @@ fn early(mut question: Question) -> Question {
         | Question::Visit { time, .. }
         | Question::Move { time, .. }
         | Question::NoMove { time, .. } => soon(time),
-        _ => {}
+        Question::NoCharge { .. }
+        | Question::NoVisit { .. }
+        | Question::Slow { .. }
+        | Question::Order { .. }
+        | Question::Arrival { .. }
+        | Question::Length { .. }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Charges { .. }
+        | Question::Moves { .. }
+        | Question::Waits { .. }
+        | Question::Yield { .. }
+        | Question::Unsolvable
+        | Question::Plan => {}
     }
     question
 }

@@ -71,7 +71,7 @@ impl Seen {
                     self.sums += usize::from(!core.sums.is_empty());
                     let is_of_round = core.sums.iter().any(|sum| sum.event >= round);
                     self.exhausted_cores += usize::from(is_of_round);
-                    self.hardened += usize::from(core.condition.at_most.is_some());
+                    self.hardened += usize::from(core.scope.at_most.is_some());
                 }
                 SearchEvent::Round { .. } => {
                     round = event.number;

@@ -145,10 +145,10 @@ impl Seen {
             Cost::SumOfCosts => self.sum += 1,
             _ => self.counted += 1,
         }
-        let condition = &core.condition;
-        self.conditional += u32::from(condition.at_most.is_some() || !condition.given.is_empty());
+        let scope = &core.scope;
+        self.conditional += u32::from(scope.at_most.is_some() || !scope.given.is_empty());
         self.sums += u32::from(!core.sums.is_empty());
-        if !condition.others {
+        if !scope.others {
             self.by_themselves += 1;
             let alone = traced::alone(instance, core);
             for limits in traced::claims(core) {
@@ -196,12 +196,9 @@ fn each_step_is_true_by_itself() {
                     differs.then_some(fault).into_iter().collect()
                 }
                 SearchEvent::Closed {
-                    cost,
-                    condition,
-                    to,
-                    ..
+                    cost, scope, to, ..
                 } => {
-                    let mut limits = traced::conditions(condition, *cost);
+                    let mut limits = traced::limits(scope, *cost);
                     limits.push(AtMost {
                         cost: *cost,
                         agents: None,

@@ -3,11 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
 
 use giveway_model::check::{check, levels};
-use giveway_model::format::{native, read_text};
-use giveway_model::{
-    Agent, AtGoal, Battery, Cell, Cost, Fault, Instance, Objective, Plan, Rules, Scene,
-};
+use giveway_model::format::native;
+use giveway_model::{Agent, AtGoal, Battery, Cell, Cost, Instance, Objective, Plan, Rules, Scene};
 use proptest::prelude::*;
+
+use texts::assert_short;
+
+#[path = "noise/texts.rs"]
+mod texts;
 
 const INSTANCE: &str = r##"{ "giveway": 1, "name": "n", "map": ["..~~", "#+*."],
   "rules": { "at_goal": "vanish", "battery_floor": 1 }, "objective": ["moves", "waits"],
@@ -15,6 +18,8 @@ const INSTANCE: &str = r##"{ "giveway": 1, "name": "n", "map": ["..~~", "#+*."],
                "battery": { "capacity": 3, "initial": 3 } }] }"##;
 const PLAN: &str = r#"{ "giveway": 1, "paths": { "A": [[0, 0], null, [1, 0], [1, 1]] },
   "charges": { "A": [1] }, "from": { "A": 0 }, "until": { "B": 3 } }"#;
+
+const FILES: [&str; 2] = [INSTANCE, PLAN];
 
 /// Gives a text to every reader, and what they read to all that comes after.
 fn read_all(text: &str) {
@@ -36,17 +41,6 @@ fn read_all(text: &str) {
         let _ = check(&instance, &plan);
         let _ = levels(&instance, 0, &plan);
     }
-}
-
-/// A fault is a sentence, however long the input.
-fn assert_short(fault: &Fault) {
-    let text = fault.to_string();
-    assert!(text.chars().count() < 400, "{text}");
-    assert!(!text.contains(['\n', '\r']), "{text}");
-}
-
-fn valid_file() -> impl Strategy<Value = &'static str> {
-    prop::sample::select(vec![INSTANCE, PLAN])
 }
 
 /// A scene that may break any rule of the problem.
@@ -113,47 +107,6 @@ fn any_plan() -> impl Strategy<Value = Plan> {
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn bytes_are_read_without_a_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-        match read_text(&bytes) {
-            Ok(text) => read_all(&text),
-            Err(fault) => assert_short(&fault),
-        }
-    }
-
-    #[test]
-    fn text_is_read_without_a_panic(text in "\\PC*|[\\[\\]{}:,\"a-z0-9 \\n]*") {
-        read_all(&text);
-    }
-
-    #[test]
-    fn truncated_files_are_read_without_a_panic(file in valid_file(), at in any::<prop::sample::Index>()) {
-        read_all(&file[..at.index(file.len() + 1)]);
-    }
-
-    #[test]
-    fn mutated_files_are_read_without_a_panic(
-        file in valid_file(),
-        places in prop::collection::vec((any::<prop::sample::Index>(), any::<char>()), 1..4),
-        part in any::<(prop::sample::Index, prop::sample::Index)>(),
-    ) {
-        let mut letters: Vec<char> = file.chars().collect();
-        for (place, letter) in places {
-            *place.get_mut(&mut letters) = letter;
-        }
-        read_all(&letters.iter().collect::<String>());
-        // A part of the file, put once more somewhere else.
-        let (from, to) = (part.0.index(letters.len()), part.1.index(letters.len()));
-        let copy = letters[from.min(to)..from.max(to)].to_vec();
-        let again: String = letters[..to].iter().chain(&copy).chain(&letters[to..]).collect();
-        read_all(&again);
-    }
-
-    #[test]
-    fn digits_may_change_without_a_panic(file in valid_file(), number in any::<u64>(), digit in "[0-9]") {
-        read_all(&file.replace(&digit, &number.to_string()));
-    }
 
     #[test]
     fn scenes_come_back_from_what_is_written(scene in any_scene()) {

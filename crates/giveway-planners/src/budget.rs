@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 pub(crate) use counted::Counted;
 pub use held::{Held, HeldBytes};
+pub(crate) use stop::MOST_TIMES;
 pub use stop::Stop;
 
 /// The budget of one request: it never decides anything but to stop.

@@ -6,7 +6,7 @@ use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
     budget::{Budget, Stop},
-    single::{Bounds, CostToGo, Hopeless, MAX_WAYPOINTS, Metric, Task, earliest},
+    single::{Bounds, CostToGo, Hopeless, MAX_WAYPOINTS, Metric, Part, Required, Task, earliest},
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
@@ -196,22 +196,22 @@ impl Problem {
     /// Whether a walk of an agent, with so many charges, keeps to what is asked for
     /// beside its task, as far as walks made outside the SAT solver may fail to.
     pub fn keeps_alone(&self, agent: usize, walk: &Walk, charges: u32) -> bool {
-        let conditions = &self.tasks[agent].conditions;
-        let within_limits = || {
-            let own = Costs {
-                charges,
-                ..costs_of(self, agent, walk)
-            };
-            let mut limits = conditions.limits.iter();
-            limits.all(|(&cost, &most)| own.get(cost) <= most)
-        };
-        let can_charge = || {
-            let task = &self.tasks[agent];
-            crate::walk::charges(task, &self.terrain, walk).is_some()
-        };
-        conditions.keeps_waits(walk)
-            && (conditions.limits.is_empty() || within_limits())
-            && (!conditions.must_charge() || can_charge())
+        let task = &self.tasks[agent];
+        task.conditions.parts().all(|part| match part {
+            // Every search keeps to these.
+            Part::Forbidden(_) | Part::Required(_, Required::Cross { .. }) => true,
+            Part::LongWait(wait) => wait.is_kept(walk),
+            Part::Required(_, Required::Charge { .. }) => {
+                crate::walk::charges(task, &self.terrain, walk).is_some()
+            }
+            Part::Limit(cost, most) => {
+                let own = Costs {
+                    charges,
+                    ..costs_of(self, agent, walk)
+                };
+                own.get(cost) <= most
+            }
+        })
     }
 
     /// A number of steps that no plan needs to exceed: one with more comes to

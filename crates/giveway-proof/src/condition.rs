@@ -31,7 +31,12 @@ impl Claim {
                 cost,
                 limit,
             } => Some(Self::at_most([(cost, limit - 1)])),
-            condition => Some(Self {
+            condition @ (Condition::Never { .. }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. }
+            | Condition::Below { agent: Some(_), .. }) => Some(Self {
                 condition: Some(condition),
                 ..Self::default()
             }),

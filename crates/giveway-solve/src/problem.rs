@@ -9,7 +9,7 @@ use giveway_planners::problem as planners;
 
 use crate::{
     budget::{Budget, Stop},
-    impose::{Precedence, Unmeetable, impose},
+    impose::{ImposeError, Precedence, Unmeetable, impose},
     single::{Bounds, Hopeless},
     walk::{Walk, costs_of},
 };
@@ -76,20 +76,28 @@ impl From<Stop> for ProblemError {
 
 impl Problem {
     pub(crate) fn new(instance: &Instance, budget: &Budget) -> Result<Self, ProblemError> {
-        Self::relaxed(instance, Relaxed::default(), None, budget)
+        let planners = planners::Problem::relaxed(instance, Relaxed::default(), budget)?;
+        Ok(Self::of(planners))
+    }
+
+    const fn of(planners: planners::Problem) -> Self {
+        Self {
+            planners,
+            precedences: Vec::new(),
+        }
     }
 
     /// The same with some rules between agents left out, and with conditions.
+    ///
+    /// # Errors
+    /// As [`Problem::new`], and where a condition cannot be imposed.
     pub(crate) fn relaxed<'a>(
         instance: &Instance,
         relaxed: Relaxed,
         conditions: impl IntoIterator<Item = &'a Condition>,
         budget: &Budget,
-    ) -> Result<Self, ProblemError> {
-        let mut problem = Self {
-            planners: planners::Problem::relaxed(instance, relaxed, budget)?,
-            precedences: Vec::new(),
-        };
+    ) -> Result<Self, ImposeError> {
+        let mut problem = Self::of(planners::Problem::relaxed(instance, relaxed, budget)?);
         for condition in conditions {
             impose(condition, instance, &mut problem, budget)?;
         }
@@ -103,10 +111,8 @@ impl Problem {
         budget: &Budget,
     ) -> Result<Self, ProblemError> {
         let relaxed = Relaxed::default();
-        Ok(Self {
-            planners: planners::Problem::bounded(instance, relaxed, bounds, budget)?,
-            precedences: Vec::new(),
-        })
+        let planners = planners::Problem::bounded(instance, relaxed, bounds, budget)?;
+        Ok(Self::of(planners))
     }
 
     /// Agents that the SAT solver has to plan, since plans made outside of it

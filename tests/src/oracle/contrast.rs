@@ -4,7 +4,7 @@
 //! question needs: the time as long as it matters, one thing done or not, one
 //! number of steps. A way that cannot be what is asked for any more ends there.
 
-use giveway_model::{Cell, Instance, Path, Plan, Question};
+use giveway_model::{Cell, Path, Plan, Question};
 
 /// A question about a plan.
 #[derive(Clone, Copy, Debug)]
@@ -26,17 +26,54 @@ pub(crate) struct Memory {
     count: u32,
 }
 
+/// What one agent must do, or must not do.
+#[derive(Clone, Copy, Debug)]
+enum Rule {
+    /// It is not at the cell at the time, or ever.
+    NotAt(Cell, Option<u32>),
+    /// It is at the cell some time.
+    At(Cell),
+    /// It is at the second cell before it is at the first.
+    Swapped { first: Cell, second: Cell },
+    /// It does not wait so many steps on end.
+    ShortWaits {
+        at: Option<Cell>,
+        from: Option<u32>,
+        to: Option<u32>,
+        steps: u32,
+    },
+    /// It does not charge there, or then.
+    NoCharge(Option<Cell>, Option<u32>),
+    /// It charges there.
+    Charge(Cell),
+    /// It does not go from one cell to the other at the time, or ever.
+    NoMove([Cell; 2], Option<u32>),
+    /// It goes from one cell to the other, at the time where one is given.
+    Move([Cell; 2], Option<u32>),
+    /// It makes no slow move over the edge, or over any.
+    NoSlowMove(Option<[Cell; 2]>),
+    /// It arrives before the time.
+    ArriveBefore(u32),
+    /// It has fewer of these.
+    Fewer(Counted, u32),
+}
+
+/// What an agent has a number of.
+#[derive(Clone, Copy, Debug)]
+enum Counted {
+    Moves,
+    Charges,
+    Waits,
+}
+
 /// A question about one agent.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
-    question: Question,
-    /// The number that another must be below, where the question is about one.
-    below: u32,
+    rule: Rule,
     /// The last time that matters; `None` where times do not.
     last: Option<u32>,
     /// Whether arrived agents stay.
     stays: bool,
-    goal: Option<Cell>,
     /// Wait steps just before time 0 that count.
     waited: u32,
 }
@@ -44,46 +81,74 @@ pub(crate) struct Asked {
 impl Asked {
     /// What is asked of the agent of this name, which stays at its goal or
     /// vanishes there; `None` where nothing is.
-    pub(crate) fn of(
-        instance: &Instance,
-        contrast: Contrast,
-        name: &str,
-        stays: bool,
-    ) -> Option<Self> {
+    pub(crate) fn of(contrast: Contrast, name: &str, stays: bool) -> Option<Self> {
         let question = contrast.question;
         if question.agent() != Some(name) {
             return None;
         }
-        let agent = instance.agents().iter().find(|a| a.name == name)?;
         let path = &contrast.plan.paths[name];
         let charges = contrast.plan.charges.get(name).map_or(0, Vec::len) as u32;
-        let arrival = path.len() as u32 - 1;
-        let below = match question {
-            Question::Arrival { .. } => arrival,
-            Question::Charges { .. } => charges,
-            Question::Waits { .. } => waits(path),
-            Question::Length {
-                fewer_than: Some(below),
+        let rule = match *question {
+            Question::Wait {
+                at,
+                from,
+                to,
+                at_least,
                 ..
-            } => *below,
-            Question::Length { .. } | Question::Moves { .. } => moves(path),
-            _ => 0,
+            } => Rule::ShortWaits {
+                at,
+                from,
+                to,
+                steps: at_least.unwrap_or(1),
+            },
+            Question::Charge { at, time, .. } => Rule::NoCharge(at, time),
+            Question::NoCharge { at, .. } => Rule::Charge(at),
+            Question::Visit { at, time, .. } => Rule::NotAt(at, time),
+            Question::NoVisit { at, .. } | Question::Yield { at, .. } => Rule::At(at),
+            Question::Move {
+                from_cell,
+                to_cell,
+                time,
+                ..
+            } => Rule::NoMove([from_cell, to_cell], time),
+            Question::NoMove {
+                from_cell,
+                to_cell,
+                time,
+                ..
+            } => Rule::Move([from_cell, to_cell], time),
+            Question::Slow {
+                from_cell, to_cell, ..
+            } => Rule::NoSlowMove(from_cell.zip(to_cell).map(<[Cell; 2]>::from)),
+            Question::Order { first, second, .. } => Rule::Swapped { first, second },
+            Question::Arrival { .. } => Rule::ArriveBefore(path.len() as u32 - 1),
+            Question::Length { fewer_than, .. } => {
+                Rule::Fewer(Counted::Moves, fewer_than.unwrap_or_else(|| moves(path)))
+            }
+            Question::Moves { .. } => Rule::Fewer(Counted::Moves, moves(path)),
+            Question::Charges { .. } => Rule::Fewer(Counted::Charges, charges),
+            Question::Waits { .. } => Rule::Fewer(Counted::Waits, waits(path)),
+            Question::Makespan | Question::SumOfCosts | Question::Unsolvable | Question::Plan => {
+                return None;
+            }
         };
-        let last = match question {
-            Question::Wait { from, to, .. } => to.or(*from),
-            Question::Charge { time, .. }
-            | Question::Visit { time, .. }
-            | Question::Move { time, .. }
-            | Question::NoMove { time, .. } => *time,
-            Question::Arrival { .. } => Some(arrival),
-            _ => None,
+        let last = match rule {
+            Rule::ShortWaits { from, to, .. } => to.or(from),
+            Rule::NotAt(_, time)
+            | Rule::NoCharge(_, time)
+            | Rule::NoMove(_, time)
+            | Rule::Move(_, time) => time,
+            Rule::ArriveBefore(time) => Some(time),
+            Rule::At(_)
+            | Rule::Swapped { .. }
+            | Rule::Charge(_)
+            | Rule::NoSlowMove(_)
+            | Rule::Fewer(..) => None,
         };
         Some(Self {
-            question: question.clone(),
-            below,
+            rule,
             last,
             stays,
-            goal: agent.goal,
             waited: 0,
         })
     }
@@ -95,7 +160,7 @@ impl Asked {
 
     /// What it remembers at time 0.
     pub(super) fn first(&self) -> Memory {
-        let is_wait = matches!(self.question, Question::Wait { .. });
+        let is_wait = matches!(self.rule, Rule::ShortWaits { .. });
         Memory {
             count: if is_wait { self.waited } else { 0 },
             ..Memory::default()
@@ -105,25 +170,27 @@ impl Asked {
     /// It is at a vertex now.
     pub(super) fn enter(&self, memory: Memory, cell: Cell) -> Option<Memory> {
         let mut memory = memory;
-        match &self.question {
-            Question::Visit { at, time, .. } => {
-                let then = time.is_none_or(|time| time == memory.time);
-                if *at == cell && then {
-                    return None;
-                }
+        let allowed = match self.rule {
+            Rule::NotAt(at, time) => at != cell || time.is_some_and(|time| time != memory.time),
+            Rule::At(at) => {
+                memory.done |= at == cell;
+                true
             }
-            Question::NoVisit { at, .. } | Question::Yield { at, .. } => {
-                memory.done |= *at == cell;
+            Rule::Swapped { first, second } => {
+                let too_early = first == cell && !memory.done;
+                memory.done |= second == cell;
+                !too_early
             }
-            Question::Order { first, second, .. } => {
-                if *first == cell && !memory.done {
-                    return None;
-                }
-                memory.done |= *second == cell;
-            }
-            _ => {}
-        }
-        Some(memory)
+            Rule::ShortWaits { .. }
+            | Rule::NoCharge(..)
+            | Rule::Charge(_)
+            | Rule::NoMove(..)
+            | Rule::Move(..)
+            | Rule::NoSlowMove(_)
+            | Rule::ArriveBefore(_)
+            | Rule::Fewer(..) => true,
+        };
+        allowed.then_some(memory)
     }
 
     /// It leaves a vertex for another now, or waits there; it may charge first.
@@ -137,73 +204,45 @@ impl Asked {
     ) -> Option<Memory> {
         let mut memory = memory;
         let now = memory.time;
-        let at_time = |time: &Option<u32>| time.is_none_or(|time| time == now);
-        let counted = match &self.question {
-            Question::Wait {
+        let at_time = |time: Option<u32>| time.is_none_or(|time| time == now);
+        let goes = |u: Cell, v: Cell| from == u && to == Some(v);
+        let allowed = match self.rule {
+            Rule::ShortWaits {
                 at,
                 from: begin,
                 to: end,
-                at_least,
-                ..
+                steps,
             } => {
                 let there = at.is_none_or(|at| at == from);
                 let then = begin.is_none_or(|t| t <= now) && end.is_none_or(|t| now < t);
-                if !(to.is_none() && there && then) {
-                    memory.count = 0;
-                    return Some(self.later(memory));
-                }
-                memory.count += 1;
-                (memory.count < at_least.unwrap_or(1)).then_some(false)
+                let counts = to.is_none() && there && then;
+                memory.count = if counts { memory.count + 1 } else { 0 };
+                !counts || memory.count < steps
             }
-            Question::Charge { at, time, .. } => {
-                let there = at.is_none_or(|at| at == from);
-                (!(charges && there && at_time(time))).then_some(false)
+            Rule::NoCharge(at, time) => {
+                !(charges && at.is_none_or(|at| at == from) && at_time(time))
             }
-            Question::NoCharge { at, .. } => {
-                memory.done |= charges && *at == from;
-                Some(false)
+            Rule::Charge(at) => {
+                memory.done |= charges && at == from;
+                true
             }
-            Question::Move {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            } => {
-                let goes = from == *from_cell && to == Some(*to_cell) && at_time(time);
-                (!goes).then_some(false)
+            Rule::NoMove([u, v], time) => !(goes(u, v) && at_time(time)),
+            Rule::Move([u, v], time) => {
+                memory.done |= goes(u, v) && at_time(time);
+                true
             }
-            Question::NoMove {
-                from_cell,
-                to_cell,
-                time,
-                ..
-            } => {
-                memory.done |= from == *from_cell && to == Some(*to_cell) && at_time(time);
-                Some(false)
+            Rule::NoSlowMove(edge) => !(slow && edge.is_none_or(|[u, v]| goes(u, v) || goes(v, u))),
+            Rule::Fewer(counted, below) => {
+                memory.count += u32::from(match counted {
+                    Counted::Moves => to.is_some(),
+                    Counted::Charges => charges,
+                    Counted::Waits => to.is_none(),
+                });
+                memory.count < below
             }
-            Question::Slow {
-                from_cell, to_cell, ..
-            } => {
-                let ends = [Some(from), to];
-                let over = from_cell.is_none()
-                    || ends == [*from_cell, *to_cell]
-                    || ends == [*to_cell, *from_cell];
-                (!(slow && over)).then_some(false)
-            }
-            Question::Length { .. } | Question::Moves { .. } => Some(to.is_some()),
-            Question::Charges { .. } => Some(charges),
-            Question::Waits { .. } => Some(to.is_none()),
-            _ => Some(false),
-        }?;
-        memory.count += u32::from(counted);
-        let limited = matches!(
-            self.question,
-            Question::Length { .. }
-                | Question::Moves { .. }
-                | Question::Charges { .. }
-                | Question::Waits { .. }
-        );
-        (!limited || memory.count < self.below).then(|| self.later(memory))
+            Rule::NotAt(..) | Rule::At(_) | Rule::Swapped { .. } | Rule::ArriveBefore(_) => true,
+        };
+        allowed.then(|| self.later(memory))
     }
 
     /// One step later.
@@ -212,39 +251,20 @@ impl Asked {
         Memory { time, ..memory }
     }
 
-    /// Whether it may arrive for good now.
-    pub(super) fn may_arrive(&self, memory: Memory) -> bool {
-        match &self.question {
-            Question::NoCharge { .. }
-            | Question::NoVisit { .. }
-            | Question::NoMove { .. }
-            | Question::Yield { .. }
-            | Question::Order { .. } => memory.done,
-            Question::Arrival { .. } => memory.time < self.below,
+    /// Whether it may arrive for good at this cell now.
+    pub(super) fn may_arrive(&self, memory: Memory, cell: Cell) -> bool {
+        match self.rule {
+            Rule::At(_) | Rule::Swapped { .. } | Rule::Charge(_) | Rule::Move(..) => memory.done,
+            Rule::ArriveBefore(time) => memory.time < time,
             // To rest there is to be there.
-            Question::Visit {
-                at,
-                time: Some(time),
-                ..
-            } if Some(*at) == self.goal && self.stays => memory.time > *time,
+            Rule::NotAt(at, Some(time)) => at != cell || !self.stays || memory.time > time,
             // Not even none is fewer than none.
-            Question::Length { .. }
-            | Question::Moves { .. }
-            | Question::Charges { .. }
-            | Question::Waits { .. } => memory.count < self.below,
-            _ => true,
-        }
-    }
-
-    /// Whether it may rest at this cell for good from now on, where it has no goal.
-    pub(super) fn may_rest(&self, memory: Memory, cell: Cell) -> bool {
-        match &self.question {
-            Question::Visit {
-                at,
-                time: Some(time),
-                ..
-            } if *at == cell && self.stays => memory.time > *time,
-            _ => true,
+            Rule::Fewer(_, below) => memory.count < below,
+            Rule::NotAt(_, None)
+            | Rule::ShortWaits { .. }
+            | Rule::NoCharge(..)
+            | Rule::NoMove(..)
+            | Rule::NoSlowMove(_) => true,
         }
     }
 }

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Cell, Instance, Question};
+use giveway_model::{Cell, Instance};
 
 use super::contrast::{Asked, Contrast};
 use super::leniency::Leniency;
 use super::lone::{Lone, Step};
 use super::price::Price;
+use super::together::Together;
 use super::world::World;
 
 /// The agents of an instance, each with its own states and steps.
@@ -43,7 +44,7 @@ impl Joint {
                 let stays = instance.stays() || agent.goal.is_none();
                 let stays = stays && !leniency.gone.contains(&agent.name);
                 let waited = leniency.waited.get(&agent.name).copied().unwrap_or(0);
-                let asked = contrast.and_then(|c| Asked::of(instance, c, &agent.name, stays));
+                let asked = contrast.and_then(|c| Asked::of(c, &agent.name, stays));
                 let asked = asked.map(|asked| asked.having_waited(waited));
                 let held = leniency.held.get(&agent.name).copied().unwrap_or(0);
                 let transit = leniency.transit.get(&agent.name).copied();
@@ -55,11 +56,11 @@ impl Joint {
             .try_fold(1_u64, |size, a| size.checked_mul(a.states.len() as u64));
         assert!(size.is_some(), "too many joint states for the oracle");
         let number = |name: &str| agents.iter().position(|a| a.name == name);
-        let precedence = match contrast.map(|contrast| contrast.question) {
-            Some(Question::Yield { agent, to, at }) => {
-                number(agent).zip(number(to)).map(|(a, b)| (a, b, *at))
+        let precedence = match contrast.and_then(|contrast| contrast.together()) {
+            Some(Together::Before(agent, to, at)) => {
+                number(agent).zip(number(to)).map(|(a, b)| (a, b, at))
             }
-            _ => None,
+            Some(Together::Less(_)) | None => None,
         };
         let pairs = leniency.ignoring.iter();
         let pairs = pairs.filter_map(|(a, b)| number(a).zip(number(b)));

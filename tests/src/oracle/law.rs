@@ -122,9 +122,11 @@ impl Law<'_> {
             clock,
         }];
         let all_seen = seen.count_ones() as usize == self.agent.waypoints.len();
-        let may = self.asked.as_ref().is_none_or(|a| a.may_arrive(memory));
+        let may = self
+            .asked
+            .as_ref()
+            .is_none_or(|a| a.may_arrive(memory, cell));
         let may_rest = self.agent.goal.is_none_or(|goal| goal == cell);
-        let may = may && self.asked.as_ref().is_none_or(|a| a.may_rest(memory, cell));
         if may_rest && all_seen && may {
             states.push(State {
                 place: Place::Arrived(cell),

@@ -24,6 +24,7 @@ mod lone;
 mod near;
 mod price;
 mod search;
+mod together;
 mod trace;
 mod world;
 
@@ -41,6 +42,7 @@ pub use leniency::Leniency;
 pub use limited::{AtMost, least_alone, some_plan_keeps};
 pub use near::{Distance, least_distance};
 use search::{Aim, Limit, Search};
+use together::Together;
 
 /// What the oracle knows about the best plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,23 +95,17 @@ impl Question<'_> {
 
     /// The same with some rules left out.
     pub fn best_with_less(&self, contrast: Contrast, leniency: &Leniency) -> Verdict {
-        use giveway_model::Question as Asked;
-        if let Asked::NoVisit { agent: None, at } = contrast.question {
+        if let giveway_model::Question::NoVisit { agent: None, at } = contrast.question {
             return self.best_of_any(contrast, *at, leniency);
         }
         let whole = recount::costs(contrast.plan);
-        let cost = match contrast.question {
-            Asked::Makespan => Some(Cost::Makespan),
-            Asked::SumOfCosts => Some(Cost::SumOfCosts),
-            Asked::Charges { agent: None } => Some(Cost::Charges),
-            Asked::Moves { agent: None } => Some(Cost::Moves),
-            Asked::Waits { agent: None } => Some(Cost::Waits),
-            _ => None,
+        let limit = match contrast.together() {
+            Some(Together::Less(cost)) => Some(Limit {
+                cost,
+                below: whole.get(cost),
+            }),
+            Some(Together::Before(..)) | None => None,
         };
-        let limit = cost.map(|cost| Limit {
-            cost,
-            below: whole.get(cost),
-        });
         if limit.is_some_and(|limit| limit.below == 0) {
             return Verdict::Impossible;
         }

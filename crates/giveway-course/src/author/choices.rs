@@ -96,7 +96,7 @@ pub(super) fn kinds() -> Vec<Pick> {
 }
 
 /// What can hold of a scene.
-pub(super) fn conditions() -> Vec<Pick> {
+pub(super) fn statements() -> Vec<Pick> {
     vec![
         Pick::new("impossible", tr!("no plan exists")),
         Pick::new("solvable", tr!("a plan exists")),
@@ -110,7 +110,7 @@ pub(super) fn conditions() -> Vec<Pick> {
 /// What can hold of a scene or of the step's plan.
 pub(super) fn claims() -> Vec<Pick> {
     let mut picks = vec![Pick::new("", tr!("nothing that can be judged"))];
-    picks.extend(conditions());
+    picks.extend(statements());
     picks.extend([
         Pick::new("legal", tr!("the plan breaks no rule")),
         Pick::new("best", tr!("no plan is better")),

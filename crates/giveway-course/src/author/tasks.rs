@@ -3,8 +3,8 @@
 use giveway_model::tr;
 
 use super::choices::{
-    aims, claims, comparisons, conditions, costs, costs_or, finds, methods, objective, planners,
-    quantities, robots, verdicts,
+    aims, claims, comparisons, costs, costs_or, finds, methods, objective, planners, quantities,
+    robots, statements, verdicts,
 };
 use super::field::Shape;
 use super::form::Form;
@@ -15,7 +15,7 @@ pub(super) fn task(form: &mut Form<'_>, kind: &str, answers: usize) {
     match kind {
         "paint" => {
             let until = tr!("Done when");
-            condition(form, "task.until", until, conditions());
+            statement(form, "task.until", until, statements());
         }
         "lead" => lead(form),
         "predict" => {
@@ -29,7 +29,7 @@ pub(super) fn task(form: &mut Form<'_>, kind: &str, answers: usize) {
     }
 }
 
-fn condition(form: &mut Form<'_>, at: &str, label: &'static str, picks: Vec<Pick>) {
+fn statement(form: &mut Form<'_>, at: &str, label: &'static str, picks: Vec<Pick>) {
     let part = |part: &str| format!("{at}.{part}");
     let costs = objective(form.scene);
     match form.chosen(&part("is"), label, picks).as_str() {
@@ -165,7 +165,7 @@ fn choice(form: &mut Form<'_>, at: &str) {
         false,
     );
     form.line(&format!("{at}.reply"), tr!("Reply"), Shape::Text, true);
-    condition(form, &format!("{at}.claim"), tr!("It says that"), claims());
+    statement(form, &format!("{at}.claim"), tr!("It says that"), claims());
 }
 
 fn change(form: &mut Form<'_>) {

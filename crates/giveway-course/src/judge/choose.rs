@@ -2,7 +2,7 @@
 
 use giveway_solve::Response;
 
-use super::condition::{self, Held};
+use super::statement::{self, Held};
 use super::{Judging, Situation, Verdict, Why};
 use crate::lesson::task::{Choice, Choose};
 
@@ -12,7 +12,7 @@ pub(super) fn begin(task: &Choose, situation: Situation<'_>, answer: usize) -> J
     };
     match &choice.claim {
         None => replied(choice, answer).into(),
-        Some(claim) => match condition::requests(claim, situation) {
+        Some(claim) => match statement::requests(claim, situation) {
             Ok(requests) => Judging::Ask(requests),
             Err(why) => Verdict::not_yet(why).into(),
         },
@@ -31,7 +31,7 @@ pub(super) fn conclude(
     let Some(claim) = &choice.claim else {
         return replied(choice, answer);
     };
-    let outcome = condition::decide(claim, situation, responses);
+    let outcome = statement::decide(claim, situation, responses);
     let verdict = match (outcome.held, choice.right) {
         (Held::Unknown, _) => Verdict::not_yet(outcome.why),
         (Held::Yes, true) | (Held::No, false) => replied(choice, answer),

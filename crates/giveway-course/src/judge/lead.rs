@@ -4,8 +4,8 @@ use giveway_model::check::{Rule, Violation, check};
 use giveway_model::{Costs, Instance, Objective, Path, Plan, Scene, ends_with_rest};
 use giveway_solve::Response;
 
-use super::condition::first_better;
 use super::proved::{self, Proved};
+use super::statement::first_better;
 use super::{Judging, Situation, Verdict, Why, ask};
 use crate::lesson::task::{Lead, LeadAim};
 use crate::port::Evidence;

@@ -7,7 +7,6 @@
 pub(crate) mod ask;
 mod change;
 mod choose;
-pub(crate) mod condition;
 mod edits;
 mod lead;
 pub(crate) mod order;
@@ -15,6 +14,7 @@ mod paint;
 mod predict;
 pub(crate) mod proved;
 mod spot;
+pub(crate) mod statement;
 mod verdict;
 pub mod words;
 
@@ -25,9 +25,9 @@ use giveway_solve::{Request, Response};
 
 use crate::lesson::{Step, Task, Value};
 
-pub use condition::Held;
 pub use edits::Outside;
 pub(crate) use spot::{conflicts, is_same_conflict};
+pub use statement::Held;
 pub use verdict::{Kind, Verdict, Why};
 
 /// Where a learner is: a step, the scene that it began with, and the one on the board.

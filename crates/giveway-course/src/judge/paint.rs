@@ -1,8 +1,8 @@
-//! Judges a scene that was edited until a condition holds.
+//! Judges a scene that was edited until a statement holds.
 
 use giveway_solve::Response;
 
-use super::condition::{self, Held};
+use super::statement::{self, Held};
 use super::{Judging, Situation, Verdict, Why, edits};
 use crate::lesson::task::Paint;
 
@@ -13,7 +13,7 @@ pub(super) fn begin(task: &Paint, situation: Situation<'_>) -> Judging {
     if let Err(why) = edits::allowed(situation) {
         return Verdict::not_like_this(why).into();
     }
-    match condition::requests(&task.until, situation) {
+    match statement::requests(&task.until, situation) {
         Ok(requests) => Judging::Ask(requests),
         Err(why) => Verdict::not_yet(why).into(),
     }
@@ -25,7 +25,7 @@ pub(super) fn conclude(task: &Paint, situation: Situation<'_>, responses: &[Resp
         Ok(_) => return Verdict::not_yet(Why::Untouched),
         Err(why) => return Verdict::not_like_this(why),
     };
-    let outcome = condition::decide(&task.until, situation, responses);
+    let outcome = statement::decide(&task.until, situation, responses);
     let verdict = match (outcome.held, &outcome.why) {
         (Held::Yes, _) => Verdict {
             seal: edited,

@@ -1,14 +1,13 @@
 //! A lesson as data: steps of text with a board and at most one task each.
 //!
 //! - [`Lesson`], [`Step`]: what a file holds; [`board`] what a step says of the board;
-//! - [`task`], [`condition`], [`quantity`]: what there is to do, and what decides it;
+//! - [`task`], [`statement`], [`quantity`]: what there is to do, and what decides it;
 //! - [`text`]: the little markup of a paragraph;
 //! - [`course`], [`glossary`]: the index of lessons, the terms of the field;
 //! - [`read`]: read with distrust, `write`: written for people; [`link`]: as a part of an address;
 //! - [`translated`]: the same in the words of another language.
 
 pub mod board;
-pub mod condition;
 pub mod course;
 pub mod glossary;
 mod id;
@@ -17,6 +16,7 @@ pub mod link;
 mod own;
 pub mod quantity;
 pub mod read;
+pub mod statement;
 mod step;
 pub mod task;
 pub mod text;
@@ -27,13 +27,13 @@ use giveway_model::{Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
-pub use condition::{Comparison, Condition};
 pub use course::{Chapter, Course, Entry, Picture};
 pub use glossary::{Glossary, Source, Term};
 pub use id::{BadId, Id};
 pub use own::OwnLessons;
 pub use quantity::{Quantity, Value};
 pub use read::{read_course, read_glossary, read_lesson};
+pub use statement::{Comparison, Statement};
 pub use step::Step;
 pub use task::Task;
 pub use text::{Span, Target, Text};

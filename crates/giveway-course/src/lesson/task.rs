@@ -5,13 +5,13 @@ use giveway_model::{Cost, Objective};
 use giveway_solve::change::Method;
 use serde::{Deserialize, Serialize};
 
-use super::{Condition, Quantity, Text, Value};
+use super::{Quantity, Statement, Text, Value};
 
 /// A task. As JSON an object whose key `kind` says which it is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Task {
-    /// Edit the scene until a condition holds.
+    /// Edit the scene until a statement holds.
     Paint(Paint),
     /// Lead robots by hand.
     Lead(Lead),
@@ -55,14 +55,14 @@ impl Task {
     }
 }
 
-/// Edit the scene, with the step's tools and edits, until a condition holds.
+/// Edit the scene, with the step's tools and edits, until a statement holds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Paint {
     /// What it asks, in words.
     pub say: Text,
     /// What must hold.
-    pub until: Condition,
+    pub until: Statement,
 }
 
 /// Lead robots by hand; the others go as the step's plan has it.
@@ -160,7 +160,7 @@ pub struct Choice {
     /// What it claims of the scene or its plan, where it claims something: the
     /// solver must agree just when the answer is right.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub claim: Option<Condition>,
+    pub claim: Option<Statement>,
 }
 
 /// Put all robots in an order for prioritised planning.

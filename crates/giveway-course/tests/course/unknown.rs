@@ -2,7 +2,7 @@
 //! solution is not accepted where answers are missing, cut short, or of something else.
 
 use giveway_course::judge::{Judging, Situation, begin, conclude};
-use giveway_course::lesson::{Condition, Task};
+use giveway_course::lesson::{Statement, Task};
 use giveway_solve::explain::Verdict;
 use giveway_solve::{Reach, Request, Response, SilentHost, Status, serve};
 
@@ -85,7 +85,7 @@ fn answers_that_prove_nothing_solve_nothing() {
 fn is_found(request: &Request, situation: Situation<'_>, responses: &[Response]) -> bool {
     let wants_any = matches!(
         &situation.step.task,
-        Some(Task::Paint(task)) if matches!(task.until, Condition::Solvable {})
+        Some(Task::Paint(task)) if matches!(task.until, Statement::Solvable {})
     );
     let is_there = matches!(responses, [Response::Solved(answer)] if answer.plan.is_some());
     wants_any && is_there && matches!(request, Request::Solve(_))

@@ -33,12 +33,19 @@ impl Serialize for Condition {
             } => Some(Written::Arrival { agent, before }),
             Self::Below {
                 agent: Some(agent),
-                cost,
+                cost: cost @ (Cost::Charges | Cost::Moves | Cost::Waits),
                 limit,
             } => limit
                 .checked_sub(1)
                 .map(|most| Written::AtMost { agent, cost, most }),
-            condition => Question::with_contrast(condition).map(Written::Contrast),
+            condition @ (Self::Never { .. }
+            | Self::Visit { .. }
+            | Self::Move { .. }
+            | Self::Charge { .. }
+            | Self::Before { .. }
+            | Self::Below { agent: None, .. }) => {
+                Question::with_contrast(condition).map(Written::Contrast)
+            }
         };
         let written = written.ok_or_else(|| S::Error::custom("no certificate has this condition"));
         written?.serialize(serializer)
@@ -68,9 +75,18 @@ impl<'de> Deserialize<'de> for Condition {
                      about what a robot does",
                     question.kind()
                 ))),
-                Some(condition) => Ok(condition),
+                Some(
+                    condition @ (Self::Never { .. }
+                    | Self::Visit { .. }
+                    | Self::Move { .. }
+                    | Self::Charge { .. }
+                    | Self::Before { .. }),
+                ) => Ok(condition),
             },
-            Written::AtMost { cost, .. } => Err(D::Error::custom(format!(
+            Written::AtMost {
+                cost: cost @ (Cost::Makespan | Cost::SumOfCosts),
+                ..
+            } => Err(D::Error::custom(format!(
                 "found a limit of the {cost} of one robot, expected one of charges, moves or waits"
             ))),
         }

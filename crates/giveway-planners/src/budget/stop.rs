@@ -3,6 +3,9 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::tr;
 
+/// Times that are followed step by step. The sentence of [`Stop::LateTimes`] names it.
+pub(crate) const MOST_TIMES: u32 = 20_000;
+
 /// Why the work stopped early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum Stop {
@@ -46,5 +49,17 @@ impl Stop {
                 tr!("A plan and a bound contradicted each other, which is a fault of this program.")
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_TIMES, Stop};
+
+    #[test]
+    fn the_sentence_names_the_last_time_that_is_followed() {
+        let (thousands, rest) = (MOST_TIMES / 1000, MOST_TIMES % 1000);
+        let time = format!("a time after {thousands},{rest:03},");
+        assert!(Stop::LateTimes.sentence().contains(&time), "{time}");
     }
 }

@@ -81,6 +81,32 @@ pub enum Required {
     },
 }
 
+/// One part of an automaton: an interpreter of conditions is a match over these.
+#[derive(Clone, Copy, Debug)]
+pub enum Part<'a> {
+    /// Something that it must not do.
+    Forbidden(&'a Forbidden),
+    /// A wait that it must not make.
+    LongWait(&'a LongWait),
+    /// Something that it must do, and its number.
+    Required(usize, &'a Required),
+    /// The most that it may have of a cost.
+    Limit(Cost, u32),
+}
+
+impl Part<'_> {
+    /// The last time that it is about, where it is about some.
+    fn last_time(self) -> Option<u32> {
+        match self {
+            Self::Forbidden(forbidden) => last_of(forbidden.times),
+            Self::LongWait(wait) => last_of(wait.times),
+            Self::Required(_, required) => last_of(required.times()),
+            Self::Limit(Cost::Makespan, most) => Some(most),
+            Self::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, _) => None,
+        }
+    }
+}
+
 /// Whether times have this one. Tables know no times, and forbid only what is
 /// forbidden at all of them.
 fn is_now(times: Times, now: Option<u32>) -> bool {
@@ -96,6 +122,23 @@ impl LongWait {
     /// Whether a wait step is one of those that count.
     pub fn counts(&self, at: Vertex, now: u32) -> bool {
         self.at.is_none_or(|v| v == at) && self.times.contains(now)
+    }
+
+    /// The number of steps waited so far, after one more step.
+    pub fn count(&self, waited: u32, from: Place, to: Place, now: u32) -> u32 {
+        match from {
+            Place::At(v) if from == to && self.counts(v, now) => waited + 1,
+            Place::At(_) | Place::Along(_) => 0,
+        }
+    }
+
+    /// Whether a walk does not have it.
+    pub fn is_kept(&self, walk: &[Place]) -> bool {
+        let mut waited = self.begun;
+        walk.windows(2).zip(0..).all(|(pair, now)| {
+            waited = self.count(waited, pair[0], pair[1], now);
+            waited < self.steps
+        })
     }
 }
 
@@ -124,6 +167,23 @@ impl Automaton {
     /// Whether there is no condition.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
+    }
+
+    /// Its parts; those of one kind in their order.
+    pub fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+        let Self {
+            forbidden,
+            waits,
+            required,
+            limits,
+        } = self;
+        let required = required.iter().enumerate();
+        let limits = limits.iter().map(|(&cost, &most)| Part::Limit(cost, most));
+        let forbidden = forbidden.iter().map(Part::Forbidden);
+        forbidden
+            .chain(waits.iter().map(Part::LongWait))
+            .chain(required.map(|(number, it)| Part::Required(number, it)))
+            .chain(limits)
     }
 
     /// Adds that the agent has at most so much of a cost. Of time it has none but up to
@@ -174,25 +234,26 @@ impl Automaton {
 
     /// Whether it may be at a vertex, the waypoints of the mask visited.
     pub fn may_stand(&self, at: Vertex, mask: Mask, now: Option<u32>) -> bool {
-        !self.forbids(mask, now, |act| matches!(*act, Act::Stand(v) if v == at))
+        !self.forbids(mask, now, |act| match act {
+            Act::Stand(v) => *v == at,
+            Act::Cross(_) | Act::Charge(_) => false,
+        })
     }
 
     /// Whether it may begin to cross an arc.
     pub fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
-        !self.forbids(
-            0,
-            now,
-            |act| matches!(act, Act::Cross(arcs) if arcs.contains(&arc)),
-        )
+        !self.forbids(0, now, |act| match act {
+            Act::Cross(arcs) => arcs.contains(&arc),
+            Act::Stand(_) | Act::Charge(_) => false,
+        })
     }
 
     /// Whether it may charge at a charger.
     pub fn may_charge(&self, at: Vertex, now: Option<u32>) -> bool {
-        !self.forbids(
-            0,
-            now,
-            |act| matches!(*act, Act::Charge(v) if v.is_none_or(|v| v == at)),
-        )
+        !self.forbids(0, now, |act| match act {
+            Act::Charge(v) => v.is_none_or(|v| v == at),
+            Act::Stand(_) | Act::Cross(_) => false,
+        })
     }
 
     /// Whether it may wait a step at a vertex; long waits are counted elsewhere.
@@ -212,29 +273,34 @@ impl Automaton {
 
     /// What must be done before this time, as bits from 0 on.
     pub fn due(&self, now: u32) -> Mask {
-        let required = self.required.iter().zip(0..);
-        let due = required.filter(|(required, _)| required.times().last() < now);
-        due.fold(0, |bits, (_, number)| bits | 1 << number)
+        self.parts().fold(0, |bits, part| match part {
+            Part::Required(number, required) if required.times().last() < now => bits | 1 << number,
+            Part::Required(..) | Part::Forbidden(_) | Part::LongWait(_) | Part::Limit(..) => bits,
+        })
     }
 
     /// The last time that a condition on places, moves and charges is about, where one
     /// is about some.
     pub fn last_time_of_ways(&self) -> Option<u32> {
-        let forbidden = self.forbidden.iter().map(|forbidden| forbidden.times);
-        let required = self.required.iter().map(Required::times);
-        forbidden.chain(required).filter_map(last_of).max()
+        let ways = self.parts().filter(|part| match part {
+            Part::Forbidden(_) | Part::Required(..) => true,
+            Part::LongWait(_) | Part::Limit(..) => false,
+        });
+        ways.filter_map(Part::last_time).max()
     }
 
     /// The same of all conditions on what it does on its way.
     pub fn last_time_of_steps(&self) -> Option<u32> {
-        let waits = self.waits.iter().filter_map(|wait| last_of(wait.times));
-        waits.chain(self.last_time_of_ways()).max()
+        let steps = self.parts().filter(|part| match part {
+            Part::Forbidden(_) | Part::Required(..) | Part::LongWait(_) => true,
+            Part::Limit(..) => false,
+        });
+        steps.filter_map(Part::last_time).max()
     }
 
     /// The same of all conditions.
     pub fn last_time(&self) -> Option<u32> {
-        let arrival = self.limits.get(&Cost::Makespan).copied();
-        arrival.max(self.last_time_of_steps())
+        self.parts().filter_map(Part::last_time).max()
     }
 
     /// The lengths of the waits that it must not have at time 0.
@@ -245,9 +311,8 @@ impl Automaton {
     /// The lengths of the waits that it must not have, as they are after a step, if it
     /// may take it.
     pub fn runs(&self, runs: &[u32], from: Place, to: Place, now: u32) -> Option<Vec<u32>> {
-        let run = |(wait, run): (&LongWait, &u32)| {
-            let counts = matches!(from, Place::At(v) if from == to && wait.counts(v, now));
-            let run = if counts { run + 1 } else { 0 };
+        let run = |(wait, &run): (&LongWait, &u32)| {
+            let run = wait.count(run, from, to, now);
             (run < wait.steps).then_some(run)
         };
         self.waits.iter().zip(runs).map(run).collect()
@@ -256,29 +321,25 @@ impl Automaton {
     /// Whether the agent has to be inside the SAT solver: plans made outside
     /// keep the conditions by chance only.
     pub fn needs_solver(&self) -> bool {
-        let no_charge = |it: &Forbidden| matches!(it.act, Act::Charge(_));
-        self.waits.iter().any(|wait| wait.steps > 1)
-            || self.counted_limits().next().is_some()
-            || self.must_charge() && self.forbidden.iter().any(no_charge)
-    }
-
-    /// Whether a walk has none of the waits that it must not have.
-    pub fn keeps_waits(&self, walk: &[Place]) -> bool {
-        let mut runs = Some(self.first_runs());
-        self.waits.is_empty()
-            || walk.windows(2).zip(0..).all(|(pair, time)| {
-                let before = runs.take().unwrap_or_default();
-                runs = self.runs(&before, pair[0], pair[1], time);
-                runs.is_some()
-            })
+        self.parts().any(|part| match part {
+            Part::Forbidden(forbidden) => match forbidden.act {
+                Act::Charge(_) => self.must_charge(),
+                Act::Stand(_) | Act::Cross(_) => false,
+            },
+            Part::LongWait(wait) => wait.steps > 1,
+            Part::Required(..) => false,
+            Part::Limit(cost, _) => cost != Cost::Makespan,
+        })
     }
 
     /// The number of counts by which the conditions tell one way from another, costs
     /// apart.
     pub fn counts(&self) -> usize {
-        let waits = self.waits.iter().map(|wait| wait.steps as usize);
-        let waits = waits.map(|steps| steps.saturating_add(1));
-        let charges = self.charges().map(|_| 2);
-        waits.chain(charges).fold(1, usize::saturating_mul)
+        let counts = self.parts().map(|part| match part {
+            Part::LongWait(wait) => (wait.steps as usize).saturating_add(1),
+            Part::Required(_, Required::Charge { .. }) => 2,
+            Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) | Part::Limit(..) => 1,
+        });
+        counts.fold(1, usize::saturating_mul)
     }
 }

@@ -8,13 +8,9 @@ use std::collections::BTreeMap;
 
 use super::{CostToGo, Hopeless, Place, Required, State, Task, task::Mask};
 use crate::{
-    budget::{Budget, Stop},
+    budget::{Budget, MOST_TIMES, Stop},
     terrain::Terrain,
 };
-
-/// Times that are followed step by step. Where conditions are about later ones, the tables give a
-/// lower bound, which need not be an arrival.
-const MOST_TIMES: u32 = 20_000;
 
 /// The same by the tables alone, after what it has to wait for at first.
 fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) -> Option<u32> {
@@ -55,10 +51,11 @@ pub fn earliest(
     let conditions = &task.conditions;
     // Alone it has no need to wait, but for a breakdown before its arrival.
     let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
-    if !arrives && !conditions.waits.is_empty() {
+    if !arrives {
         let delayed = (0..task.delay()).map(|_| task.first_place());
         let held = (task.delay()..=task.held).map(|_| Place::At(task.start));
-        if !conditions.keeps_waits(&delayed.chain(held).collect::<Vec<Place>>()) {
+        let walk: Vec<Place> = delayed.chain(held).collect();
+        if !conditions.waits.iter().all(|wait| wait.is_kept(&walk)) {
             return Ok(Err(hopeless));
         }
     }
@@ -76,6 +73,7 @@ pub fn earliest(
         return Ok(known(table));
     };
     if last > MOST_TIMES {
+        // The tables give a lower bound, which need not be an arrival.
         let done = conditions.required.iter().map(Required::times);
         let done = done.filter(|times| !times.are_all());
         let bound = done.fold(table, |bound, times| {

@@ -11,7 +11,7 @@ mod task;
 #[cfg(test)]
 mod tests;
 
-pub use automaton::{Act, Automaton, Forbidden, LongWait, Required};
+pub use automaton::{Act, Automaton, Forbidden, LongWait, Part, Required};
 pub use cost_to_go::{CostToGo, Metric};
 pub use earliest::earliest;
 pub use hopeless::{Hopeless, has_to_be_at};

@@ -92,9 +92,6 @@ impl<'a> Watch<'a> {
 
     /// The memory at time 0; `None` where the condition cannot be met any more.
     pub(super) fn begin(&self, lones: &[Lone<'_>], steps: &[Step]) -> Option<Memory> {
-        if matches!(self.condition, Condition::Below { limit: 0, .. }) {
-            return None;
-        }
         self.come(lones, steps, Memory::default())
     }
 
@@ -213,10 +210,14 @@ impl<'a> Watch<'a> {
                 memory.done |= here == Some(first.cell) && !memory.late;
                 memory.late && !memory.done
             }
-            Condition::Never { .. }
+            // No number is below 0.
+            Condition::Below { limit, .. } => *limit == 0,
+            Condition::Never {
+                act: Act::Move(..) | Act::SlowMove(_) | Act::Wait { .. } | Act::Charge(_),
+                ..
+            }
             | Condition::Move { .. }
-            | Condition::Charge { .. }
-            | Condition::Below { .. } => false,
+            | Condition::Charge { .. } => false,
         };
         // Once it is done, it does not matter any more.
         memory.late &= !memory.done;

@@ -15,7 +15,7 @@ use giveway_model::{
 use crate::{
     Status,
     budget::Budget,
-    impose::limit_costs,
+    impose::{ImposeError, limit_costs},
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
     search::{Aim, Bounded, Horizon, Proved, Verdict, find},
@@ -87,7 +87,7 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
     let instance = ask.instance;
     let problem = match Problem::relaxed(instance, ask.relaxed.clone(), ask.conditions, budget) {
         Ok(problem) => problem,
-        Err(ProblemError::Alone(agent, reason)) => {
+        Err(ImposeError::Problem(ProblemError::Alone(agent, reason))) => {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,

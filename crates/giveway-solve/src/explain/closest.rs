@@ -11,8 +11,8 @@ use super::{
 use crate::{
     Limits,
     budget::Budget,
-    impose::limit_costs,
-    problem::{Problem, Relaxed},
+    impose::{ImposeError, limit_costs},
+    problem::{Problem, ProblemError, Relaxed},
     search::{Before, Bounded, Extent, Horizon, Proved, closest as search_closest},
     walk::to_plan,
 };
@@ -64,11 +64,10 @@ enum Attempt {
 fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -> Attempt {
     let instance = case.instance;
     let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget);
-    let Ok(problem) = problem else {
-        return match budget.check() {
-            Ok(()) => Attempt::None, // the agent alone cannot
-            Err(_) => Attempt::Unknown,
-        };
+    let problem = match problem {
+        Ok(problem) => problem,
+        Err(ImposeError::Problem(ProblemError::Alone(..))) => return Attempt::None,
+        Err(_) => return Attempt::Unknown,
     };
     let grid = instance.grid();
     // Where a horizon is far away, closer plans beyond the default are not worth the search; then

@@ -16,6 +16,7 @@ use super::{
 };
 use crate::{
     budget::Budget,
+    impose::bearer,
     lns::{Effort, Lns},
     problem::Problem,
     search::Proved,
@@ -40,12 +41,9 @@ pub(crate) struct Contrasted<'a, 'h> {
 
 impl Contrasted<'_, '_> {
     /// What must hold, one of these: those about agents that are still there.
-    fn conditions(&self, variant: &Variant) -> impl Iterator<Item = &Condition> {
-        let agents = variant.instance.agents().iter();
-        let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
-        let there = move |name: &str| names.iter().any(|there| there == name);
+    fn conditions<'c>(&'c self, variant: &'c Variant) -> impl Iterator<Item = &'c Condition> {
         let conditions = self.case.conditions();
-        conditions.filter(move |condition| condition.agent().is_none_or(&there))
+        conditions.filter(|condition| bearer(condition, &variant.instance).is_ok())
     }
 
     fn with<T>(

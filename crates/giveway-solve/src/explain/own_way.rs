@@ -49,11 +49,16 @@ pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<V
 
 /// A condition on a cost of all, as one on the agent that it is due to.
 fn about_agent(case: &Case) -> Option<Condition> {
-    let Condition::Below {
-        agent: None, cost, ..
-    } = case.conditions().next()?
-    else {
-        return None;
+    let cost = match case.conditions().next()? {
+        Condition::Below {
+            agent: None, cost, ..
+        } => cost,
+        Condition::Below { agent: Some(_), .. }
+        | Condition::Never { .. }
+        | Condition::Visit { .. }
+        | Condition::Move { .. }
+        | Condition::Charge { .. }
+        | Condition::Before { .. } => return None,
     };
     let own = |name: &str, cost: Cost| {
         own_costs(case.instance, name, case.plan).map_or(0, |costs| costs.get(cost))

@@ -18,6 +18,7 @@ use giveway_model::{Condition, Cost, Instance};
 
 use crate::{
     budget::Budget,
+    encode::collisions::AgentId,
     problem::{HopelessAlone, Problem, ProblemError},
 };
 
@@ -28,34 +29,71 @@ pub(crate) use precedence::Precedence;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Unmeetable(());
 
+/// Why a condition cannot be imposed.
+pub(crate) enum ImposeError {
+    /// The instance has no agent of that name.
+    NoAgent,
+    /// The agent alone cannot meet it, or there is no problem at all.
+    Problem(ProblemError),
+}
+
+impl<E: Into<ProblemError>> From<E> for ImposeError {
+    fn from(error: E) -> Self {
+        Self::Problem(error.into())
+    }
+}
+
+/// The agent whose task a condition becomes part of; `None` where it limits a cost of
+/// the whole plan.
+///
+/// # Errors
+/// [`ImposeError::NoAgent`] where the instance has no such agent, or any agent would do:
+/// see [`ways`].
+pub(crate) fn bearer(
+    condition: &Condition,
+    instance: &Instance,
+) -> Result<Option<AgentId>, ImposeError> {
+    let name = match condition {
+        Condition::Below { agent: None, .. } => return Ok(None),
+        Condition::Visit { agent: None, .. } => return Err(ImposeError::NoAgent),
+        Condition::Never { agent, .. }
+        | Condition::Visit {
+            agent: Some(agent), ..
+        }
+        | Condition::Move { agent, .. }
+        | Condition::Charge { agent, .. }
+        | Condition::Below {
+            agent: Some(agent), ..
+        } => agent,
+        // The second need not be there.
+        Condition::Before { first, .. } => &first.agent,
+    };
+    let agent = number(instance, name).ok_or(ImposeError::NoAgent)?;
+    Ok(Some(agent))
+}
+
+fn number(instance: &Instance, name: &str) -> Option<AgentId> {
+    let mut agents = instance.agents().iter();
+    agents.position(|agent| agent.name == name)
+}
+
 /// Makes a problem keep to a condition, limits on costs of the whole plan apart.
 ///
 /// # Errors
-/// Where the agent alone cannot, or the budget is spent.
+/// Where the agent alone cannot or does not exist, or the budget is spent.
 pub(crate) fn impose(
     condition: &Condition,
     instance: &Instance,
     problem: &mut Problem,
     budget: &Budget,
-) -> Result<(), ProblemError> {
-    let number = |name: &str| instance.agents().iter().position(|a| a.name == name);
-    let Some(agent) = condition.agent().and_then(number) else {
-        return Ok(());
+) -> Result<(), ImposeError> {
+    let Some(agent) = bearer(condition, instance)? else {
+        return Ok(()); // see `limit_costs`
     };
-    let impossible = || ProblemError::Alone(agent, HopelessAlone::Condition(Unmeetable(())));
     let mut task = problem.tasks[agent].clone();
-    task::require(condition, problem, agent, &mut task).ok_or_else(impossible)?;
-    if let Condition::Before { first, second } = condition
-        && first.agent != second.agent
-        && let Some(other) = number(&second.agent)
-        && let Some(there) = problem.terrain.vertex(second.cell)
-    {
-        let here = problem.terrain.vertex(first.cell).ok_or_else(impossible)?;
-        problem.precedences.push(Precedence {
-            first: (agent, here),
-            second: (other, there),
-        });
-    }
+    let precedence = task::require(condition, instance, problem, agent, &mut task)
+        .map_err(|error| ProblemError::Alone(agent, HopelessAlone::Condition(error)))?;
+    problem.precedences.extend(precedence);
     Ok(problem.add(agent, task, budget)?)
 }
 
@@ -67,17 +105,23 @@ pub(crate) fn limit_costs(
     condition: &Condition,
     limits: &mut BTreeMap<Cost, u32>,
 ) -> Result<(), Unmeetable> {
-    let Condition::Below {
-        agent: None,
-        cost,
-        limit,
-    } = condition
-    else {
-        return Ok(());
-    };
-    let most = limit.checked_sub(1).ok_or(Unmeetable(()))?;
-    let limit = limits.entry(*cost).or_insert(most);
-    *limit = most.min(*limit);
+    match condition {
+        Condition::Below {
+            agent: None,
+            cost,
+            limit,
+        } => {
+            let most = limit.checked_sub(1).ok_or(Unmeetable(()))?;
+            let limit = limits.entry(*cost).or_insert(most);
+            *limit = most.min(*limit);
+        }
+        Condition::Below { agent: Some(_), .. }
+        | Condition::Never { .. }
+        | Condition::Visit { .. }
+        | Condition::Move { .. }
+        | Condition::Charge { .. }
+        | Condition::Before { .. } => {}
+    }
     Ok(())
 }
 

@@ -1,10 +1,11 @@
 //! What a condition asks of one agent, as part of its task.
 
 use giveway_model::{
-    Cell, Condition,
+    Cell, Condition, Instance,
     condition::{Act as Kind, Times},
 };
 
+use super::{Precedence, Unmeetable, number};
 use crate::{
     encode::collisions::AgentId,
     problem::Problem,
@@ -12,15 +13,20 @@ use crate::{
     terrain::{Terrain, Vertex},
 };
 
-/// Puts a condition into the task of the agent that it is about; `None` where that
-/// agent cannot meet it.
+/// Puts a condition into the task of the agent that bears it, and makes the order between
+/// agents that it asks for.
+///
+/// # Errors
+/// Where that agent cannot meet it.
 pub(super) fn require(
     condition: &Condition,
+    instance: &Instance,
     problem: &Problem,
     agent: AgentId,
     task: &mut Task,
-) -> Option<()> {
+) -> Result<Option<Precedence>, Unmeetable> {
     let terrain = &problem.terrain;
+    let vertex = |cell: Cell| terrain.vertex(cell).ok_or(Unmeetable(()));
     match *condition {
         Condition::Never { act, times, .. } => {
             match act {
@@ -37,17 +43,20 @@ pub(super) fn require(
             forbid(task, terrain, act, times);
         }
         Condition::Visit { cell, .. } => {
-            task.visit(terrain.vertex(cell)?);
+            task.visit(vertex(cell)?);
         }
         Condition::Move {
             from, to, times, ..
-        } => task.conditions.required.push(Required::Cross {
-            arcs: vec![arc(terrain, from, to)?],
-            times,
-        }),
+        } => {
+            let arcs = vec![arc(terrain, from, to).ok_or(Unmeetable(()))?];
+            let required = Required::Cross { arcs, times };
+            task.conditions.required.push(required);
+        }
         Condition::Charge { cell, .. } => {
-            task.reserve?;
-            let at = terrain.vertex(cell)?;
+            if task.reserve.is_none() {
+                return Err(Unmeetable(()));
+            }
+            let at = vertex(cell)?;
             let leaving = terrain.arcs(at).iter().map(|arc| arc.id).collect();
             let required = Required::Charge { at, leaving };
             task.conditions.required.push(required);
@@ -57,24 +66,32 @@ pub(super) fn require(
             ref second,
         } => {
             if first == second {
-                return None; // nobody is somewhere before being there
+                return Err(Unmeetable(())); // nobody is somewhere before being there
             }
-            let unless = task.visit(terrain.vertex(first.cell)?);
-            if first.agent == second.agent
-                && let Some(v) = terrain.vertex(second.cell)
-            {
-                task.conditions.forbidden.push(Forbidden {
-                    act: Act::Stand(v),
-                    times: Times::default(),
-                    unless,
-                });
+            let here = vertex(first.cell)?;
+            let unless = task.visit(here);
+            let Some(there) = terrain.vertex(second.cell) else {
+                return Ok(None); // nobody is ever there
+            };
+            if first.agent != second.agent {
+                let other = number(instance, &second.agent);
+                return Ok(other.map(|other| Precedence {
+                    first: (agent, here),
+                    second: (other, there),
+                }));
             }
+            task.conditions.forbidden.push(Forbidden {
+                act: Act::Stand(there),
+                times: Times::default(),
+                unless,
+            });
         }
         Condition::Below { cost, limit, .. } => {
-            task.conditions.limit(cost, limit.checked_sub(1)?);
+            let most = limit.checked_sub(1).ok_or(Unmeetable(()))?;
+            task.conditions.limit(cost, most);
         }
     }
-    Some(())
+    Ok(None)
 }
 
 /// Resting at a vertex is being there, so the agent does not rest there until the times

@@ -2,7 +2,7 @@
 
 use giveway_model::Cost;
 
-use crate::single::{Place, Task};
+use crate::single::{Part, Place, Required, Task};
 
 /// What happens to one agent in a step.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +40,14 @@ struct Counts {
 }
 
 impl Counts {
+    const fn of(count: u32) -> Self {
+        Self {
+            before: count,
+            after: 0,
+            unit: 1,
+        }
+    }
+
     /// The digit of a condition that counts up to less than `size`, which becomes what
     /// `next` makes of it; whether that is still allowed.
     fn update(&mut self, size: u32, next: impl FnOnce(u32) -> u32) -> bool {
@@ -53,12 +61,22 @@ impl Counts {
 
 /// The sizes of the digits of [`Counts`].
 fn sizes(task: &Task) -> impl Iterator<Item = u32> + '_ {
-    let conditions = &task.conditions;
-    let waits = conditions.waits.iter().map(|wait| wait.steps);
-    let charges = conditions.charges().map(|_| 2);
-    let limits = conditions.counted_limits();
-    let limits = limits.map(|(_, most)| most.saturating_add(1));
-    waits.chain(charges).chain(limits)
+    task.conditions.parts().filter_map(size)
+}
+
+/// The size of the digit of a part; `None` where nothing is counted for it.
+fn size(part: Part<'_>) -> Option<u32> {
+    match part {
+        Part::LongWait(wait) => Some(wait.steps),
+        Part::Required(_, Required::Charge { .. }) => Some(2),
+        Part::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, most) => {
+            Some(most.saturating_add(1))
+        }
+        // The place, the mask and the clock tell.
+        Part::Forbidden(_)
+        | Part::Required(_, Required::Cross { .. })
+        | Part::Limit(Cost::Makespan, _) => None,
+    }
 }
 
 /// Whether all that the conditions on an agent count fits into one number.
@@ -68,12 +86,16 @@ pub(super) fn can_count(task: &Task) -> bool {
 
 /// What the conditions on an agent count at time 0: waits that began before.
 pub(super) fn first_count(task: &Task) -> u32 {
-    let waits = task.conditions.waits.iter();
-    let (count, _) = waits.fold((0_u32, 1_u32), |(count, unit), wait| {
-        let digit = wait.begun.wrapping_mul(unit);
-        (count.wrapping_add(digit), unit.wrapping_mul(wait.steps))
-    });
-    count
+    let mut counts = Counts::of(0);
+    for part in task.conditions.parts() {
+        if let Some(size) = size(part) {
+            counts.update(size, |_| match part {
+                Part::LongWait(wait) => wait.begun,
+                Part::Required(..) | Part::Limit(..) | Part::Forbidden(_) => 0,
+            });
+        }
+    }
+    counts.after
 }
 
 /// What the conditions on an agent count after a step, and its mask; `None` where
@@ -84,38 +106,30 @@ pub(super) fn follow(
     [before, mut mask]: [u32; 2],
     event: Event,
 ) -> Option<(u32, u32)> {
-    let conditions = &task.conditions;
-    let mut counts = Counts {
-        before: count,
-        after: 0,
-        unit: 1,
-    };
+    let mut counts = Counts::of(count);
     let mut allowed = true;
-    for wait in &conditions.waits {
-        let counted = |v| event.waits() && wait.counts(v, event.clock);
-        let counted = matches!(event.from, Place::At(v) if counted(v));
-        allowed &= counts.update(wait.steps, |run| if counted { run + 1 } else { 0 });
-    }
-    for (number, v) in conditions.charges() {
-        allowed &= counts.update(2, |charged| {
-            let charged = charged.max(u32::from(event.charged));
-            match (event.from == Place::At(v), event.waits()) {
-                (false, _) => 0,
-                (true, true) => charged,
-                (true, false) => {
-                    // Leaving sets the bit just where it charged while it was there.
-                    if charged == 0 {
-                        let bit = task.required_bit(number);
-                        mask = mask & !bit | before & bit;
+    for part in task.conditions.parts() {
+        let Some(size) = size(part) else { continue };
+        allowed &= counts.update(size, |digit| match part {
+            Part::LongWait(wait) => wait.count(digit, event.from, event.to, event.clock),
+            Part::Required(number, Required::Charge { at, .. }) => {
+                let charged = digit.max(u32::from(event.charged));
+                match (event.from == Place::At(*at), event.waits()) {
+                    (false, _) => 0,
+                    (true, true) => charged,
+                    (true, false) => {
+                        // Leaving sets the bit just where it charged while it was there.
+                        if charged == 0 {
+                            let bit = task.required_bit(number);
+                            mask = mask & !bit | before & bit;
+                        }
+                        0
                     }
-                    0
                 }
             }
+            Part::Limit(cost, _) => digit + event.costs(cost),
+            Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) => digit,
         });
-    }
-    for (cost, most) in conditions.counted_limits() {
-        let more = event.costs(cost);
-        allowed &= counts.update(most.saturating_add(1), |used| used + more);
     }
     allowed.then_some((counts.after, mask))
 }

@@ -47,14 +47,14 @@ impl TogetherRequest {
             }
             _ => (core.limits.clone(), None),
         };
-        let condition = &core.condition;
-        let given = condition.given.get(&Cost::Makespan).copied();
+        let scope = &core.scope;
+        let given = scope.given.get(&Cost::Makespan).copied();
         Self {
             scene,
             cost: core.cost,
             agents,
             more,
-            within: given.into_iter().chain(condition.within).min(),
+            within: given.into_iter().chain(scope.within).min(),
             limits: Limits::default(),
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! A core says that some limits cannot all be kept: each by one agent, or by several
 //! together. It says so of plans of all agents, whatever the others do, and under the
-//! [`Condition`] that comes with it.
+//! [`Scope`] that comes with it.
 
 use std::collections::BTreeMap;
 
@@ -29,8 +29,8 @@ pub struct Core {
     /// for the makespan, which is no sum.
     pub together: Option<Together>,
     /// Of which plans this is so.
-    #[serde(default, skip_serializing_if = "Condition::is_empty")]
-    pub condition: Condition,
+    #[serde(rename = "condition", default, skip_serializing_if = "Scope::is_empty")]
+    pub scope: Scope,
     /// The bound before.
     pub from: u32,
     /// The bound from now on.
@@ -89,7 +89,7 @@ pub struct AgentLeast {
     Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
 #[serde(default)]
-pub struct Condition {
+pub struct Scope {
     /// Plans that have these costs: the optima of earlier phases.
     #[borsh(deserialize_with = "read_map")]
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -114,7 +114,7 @@ const fn is_false(value: &bool) -> bool {
     !*value
 }
 
-impl Condition {
+impl Scope {
     /// Whether the claim is made of all plans, even of the named agents alone.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()

@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Objective, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use super::{AgentLeast, Condition, Core};
+use super::{AgentLeast, Core, Scope};
 use crate::Reason;
 
 /// How the best plan was found and proved: the first events and the last.
@@ -86,8 +86,8 @@ pub enum SearchEvent {
         /// The cost that is bounded.
         cost: Cost,
         /// Of which plans this is so.
-        #[serde(skip_serializing_if = "Condition::is_empty")]
-        condition: Condition,
+        #[serde(rename = "condition", default, skip_serializing_if = "Scope::is_empty")]
+        scope: Scope,
         /// The bound before.
         from: u32,
         /// The bound from now on: what the best plan has.

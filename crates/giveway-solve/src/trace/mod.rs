@@ -8,6 +8,6 @@ mod recorder;
 mod tests;
 pub mod words;
 
-pub use core::{AgentLeast, AgentLimit, Condition, Core, EarlierCore, Literals, Together};
+pub use core::{AgentLeast, AgentLimit, Core, EarlierCore, Literals, Scope, Together};
 pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};
 pub(crate) use recorder::{Names, Recorder};

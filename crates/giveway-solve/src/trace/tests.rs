@@ -3,7 +3,7 @@
 use giveway_model::{Cost, Objective};
 
 use super::{
-    AgentLeast, AgentLimit, Condition, Core, EarlierCore, Entrant, Literals, Recorder, SearchEvent,
+    AgentLeast, AgentLimit, Core, EarlierCore, Entrant, Literals, Recorder, Scope, SearchEvent,
     SearchTrace, Together, words,
 };
 
@@ -72,7 +72,7 @@ fn core(cost: Cost, limits: &[(&str, u32, u32)]) -> Core {
         limits: limits.collect(),
         sums: Vec::new(),
         together: None,
-        condition: Condition::default(),
+        scope: Scope::default(),
         from: 7,
         to: 8,
         literals: Literals {
@@ -152,7 +152,7 @@ fn who_joins_gets_in_the_way() {
 #[test]
 fn among_some_plans_these_may_be_the_reason() {
     let mut core = core(Cost::Charges, &[("A", 1, 1)]);
-    core.condition.given.insert(Cost::Makespan, 14);
+    core.scope.given.insert(Cost::Makespan, 14);
     assert_eq!(said(core), "With makespan 14: A needs more than 1 charge.");
 }
 

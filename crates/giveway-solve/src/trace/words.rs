@@ -7,8 +7,7 @@ use giveway_model::words::{and, capital, lower, name, sentence as full, value, v
 use giveway_model::{Cost, Objective, tr};
 
 use super::{
-    AgentLeast, AgentLimit, Cannot, Condition, Core, Entrant, FoundBy, Restart, SearchEvent,
-    Stopped,
+    AgentLeast, AgentLimit, Cannot, Core, Entrant, FoundBy, Restart, Scope, SearchEvent, Stopped,
 };
 use crate::words::{clash, known, reason};
 
@@ -54,15 +53,12 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
             extras = extra(*cost)
         ),
         SearchEvent::Entered { agents } => entered(agents),
-        SearchEvent::Core(core) => under(&core.condition, core.cost, &claim(core)),
+        SearchEvent::Core(core) => under(&core.scope, core.cost, &claim(core)),
         SearchEvent::Closed {
-            cost,
-            condition,
-            to,
-            ..
+            cost, scope, to, ..
         } => {
             let claim = tr!("No plan has less than {cost}.", cost = value(*cost, *to));
-            under(condition, *cost, &claim)
+            under(scope, *cost, &claim)
         }
         SearchEvent::Exhausted { bounds } => tr!(
             "All positions that the robots can be in together were gone through. The least: {costs}.",
@@ -83,7 +79,7 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
     }
 }
 
-/// The claim of a core, without the plans that it speaks of: see [`condition`].
+/// The claim of a core, without the plans that it speaks of: see [`scope`].
 pub fn claim(core: &Core) -> String {
     let is_core = core.sums.is_empty();
     match &core.together {
@@ -99,16 +95,16 @@ pub fn claim(core: &Core) -> String {
 
 /// Of which plans a claim is made, to stand before it: `With makespan 14`. Nothing where
 /// it is made of all plans.
-pub fn condition(condition: &Condition, cost: Cost) -> Option<String> {
+pub fn scope(scope: &Scope, cost: Cost) -> Option<String> {
     let mut parts = Vec::new();
-    for (&given, &n) in &condition.given {
+    for (&given, &n) in &scope.given {
         parts.push(value(given, n));
     }
-    if let Some(n) = condition.at_most {
+    if let Some(n) = scope.at_most {
         parts.push(at_most(cost, n));
     }
-    if let Some(n) = condition.within
-        && !condition.given.contains_key(&Cost::Makespan)
+    if let Some(n) = scope.within
+        && !scope.given.contains_key(&Cost::Makespan)
     {
         parts.push(at_most(Cost::Makespan, n));
     }
@@ -116,8 +112,8 @@ pub fn condition(condition: &Condition, cost: Cost) -> Option<String> {
 }
 
 /// A claim with the plans that it speaks of.
-fn under(plans: &Condition, cost: Cost, claim: &str) -> String {
-    match condition(plans, cost) {
+fn under(plans: &Scope, cost: Cost, claim: &str) -> String {
+    match scope(plans, cost) {
         None => claim.to_owned(),
         Some(plans) => format!("{plans}: {claim}"),
     }
@@ -230,7 +226,7 @@ fn cannot_alone(core: &Core, limit: &AgentLimit) -> String {
         ),
     };
     // Alone it could, among all plans; among others that may be the reason.
-    let plans = &core.condition;
+    let plans = &core.scope;
     let are_all = plans.given.is_empty() && plans.at_most.is_none() && plans.within.is_none();
     if are_all && at_most >= least {
         tr!("{cannot}: other robots are in its way.", cannot)

@@ -8,9 +8,9 @@ use giveway_model::{Objective, Plan};
 use giveway_solve::{Request, Response};
 
 use super::{Finding, Problem, Subject, paint};
-use crate::judge::condition::{self, Held};
 use crate::judge::order::all_orders;
 use crate::judge::proved::{Proved, solved};
+use crate::judge::statement::{self, Held};
 use crate::judge::{self, Did, Judging, Mark, Situation, Verdict, Why, ask};
 use crate::lesson::Task;
 use crate::lesson::read::MAX_ORDERED;
@@ -100,8 +100,8 @@ fn choose(task: &Choose, start: Situation<'_>, asked: &mut Asked<'_>) -> Next {
         let Some(claim) = &answer.claim else {
             continue;
         };
-        let outcome = match condition::requests(claim, start) {
-            Ok(requests) => condition::decide(claim, start, asked.all(requests)?),
+        let outcome = match statement::requests(claim, start) {
+            Ok(requests) => statement::decide(claim, start, asked.all(requests)?),
             Err(why) => return Ok(Finding::of(why)),
         };
         match (outcome.held, answer.right) {

@@ -3,7 +3,7 @@
 use super::edit::{applied, edits};
 use super::examine::{Asked, Next};
 use super::{Finding, Problem};
-use crate::judge::condition::{self, Held};
+use crate::judge::statement::{self, Held};
 use crate::judge::{Did, Situation};
 use crate::lesson::task::Paint;
 
@@ -17,8 +17,8 @@ pub(super) fn search(
     is_tried: bool,
     asked: &mut Asked<'_>,
 ) -> Next {
-    let outcome = match condition::requests(&task.until, start) {
-        Ok(requests) => condition::decide(&task.until, start, asked.all(requests)?),
+    let outcome = match statement::requests(&task.until, start) {
+        Ok(requests) => statement::decide(&task.until, start, asked.all(requests)?),
         Err(why) => return Ok(Finding::of(why)),
     };
     match outcome.held {

@@ -6,7 +6,7 @@ use super::bounds::{Faults, MAX_ANSWERS, MAX_ORDERED};
 use super::links::Targets;
 use super::{Flaw, Things};
 use crate::lesson::task::{Change, Choose, Lead, OrderAim, Predict};
-use crate::lesson::{Condition, Quantity, Step, Task, Value};
+use crate::lesson::{Quantity, Statement, Step, Task, Value};
 
 pub(super) fn check(step: &Step, task: &Task, targets: &Targets<'_>, faults: &mut Faults) {
     targets.check("task.say", task.say(), faults);
@@ -15,7 +15,7 @@ pub(super) fn check(step: &Step, task: &Task, targets: &Targets<'_>, faults: &mu
             if step.tools.is_empty() {
                 faults.add("tools", Flaw::NoTools);
             }
-            condition("task.until", &paint.until, step, targets, faults);
+            statement("task.until", &paint.until, step, targets, faults);
         }
         Task::Lead(lead) => self::lead(lead, targets, faults),
         Task::Predict(predict) => self::predict(predict, step, targets, faults),
@@ -130,7 +130,7 @@ fn choose(choose: &Choose, step: &Step, targets: &Targets<'_>, faults: &mut Faul
         targets.check(&format!("{at}.text"), &choice.text, faults);
         targets.check(&format!("{at}.reply"), &choice.reply, faults);
         if let Some(claim) = &choice.claim {
-            condition(&format!("{at}.claim"), claim, step, targets, faults);
+            statement(&format!("{at}.claim"), claim, step, targets, faults);
         }
     }
 }
@@ -149,31 +149,31 @@ fn change(change: &Change, step: &Step, targets: &Targets<'_>, faults: &mut Faul
     faults.range("task.kept", change.kept.unwrap_or(0), 0, robots);
 }
 
-fn condition(
+fn statement(
     place: &str,
-    condition: &Condition,
+    statement: &Statement,
     step: &Step,
     targets: &Targets<'_>,
     faults: &mut Faults,
 ) {
-    match condition {
-        Condition::Cost { cost, .. } | Condition::Raised { cost, .. } => {
+    match statement {
+        Statement::Cost { cost, .. } | Statement::Raised { cost, .. } => {
             optimised(place, *cost, targets, faults);
         }
-        Condition::Verdict { question, .. } => {
+        Statement::Verdict { question, .. } => {
             for name in question.agents() {
                 robot(&format!("{place}.question"), name, targets, faults);
             }
         }
-        Condition::Apart {
+        Statement::Apart {
             costs: [one, other],
         } if one == other => {
             faults.add(format!("{place}.costs"), Flaw::SameCosts);
         }
-        Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => {
+        Statement::Legal {} | Statement::Best {} | Statement::Beaten {} => {
             planned(step, faults);
         }
-        Condition::Apart { .. } | Condition::Impossible { .. } | Condition::Solvable {} => {}
+        Statement::Apart { .. } | Statement::Impossible { .. } | Statement::Solvable {} => {}
     }
 }
 

@@ -1,4 +1,4 @@
-//! Finds the place of a fault within a task or a condition.
+//! Finds the place of a fault within a task or a statement.
 //!
 //! Which keys a task has depends on its kind, so it is held back until the kind is
 //! known; what is wrong in it then has the place of the whole. Here it is read once

@@ -125,7 +125,7 @@ fn so(core: &Core) -> String {
             value = value(cost, core.to)
         ),
     };
-    match words::condition(&core.condition, core.cost) {
+    match words::scope(&core.scope, core.cost) {
         None => tr!("So {no_plan}.", no_plan),
         Some(plans) => format!("{plans}, {no_plan}."),
     }

@@ -3,14 +3,19 @@
 use super::MddEncoding;
 use crate::{
     sat::{Clauses, Lit},
-    single::{Automaton, NodeId, Place},
+    single::{Automaton, NodeId, Part, Place},
 };
 
 impl MddEncoding {
     /// No wait of so many steps on end: of every row of nodes at one vertex that
     /// a new node is part of, one is left out.
     pub(super) fn write_waits(&self, old: NodeId, conditions: &Automaton, out: &mut impl Clauses) {
-        for wait in conditions.waits.iter().filter(|wait| wait.steps > 1) {
+        let waits = conditions.parts().filter_map(|part| match part {
+            Part::LongWait(wait) => (wait.steps > 1).then_some(wait),
+            // The MDD keeps to the first, clauses of the battery and of costs to the others.
+            Part::Forbidden(_) | Part::Required(..) | Part::Limit(..) => None,
+        });
+        for wait in waits {
             let steps = wait.steps;
             for id in old..self.mdd.size() {
                 let node = self.mdd.node(id);

@@ -9,18 +9,18 @@ use crate::{
     budget::Stop,
     encode::collisions::AgentId,
     search::growing::{AssumptionCore, CoreEffort},
-    trace::{Condition, Core, Entrant, Literals, SearchEvent},
+    trace::{Core, Entrant, Literals, Scope, SearchEvent},
 };
 
 impl Search<'_, '_, '_> {
     /// The plans that the last refutation is about, if its core names these agents.
-    pub(in crate::search) fn condition(&self, named: &BTreeSet<AgentId>) -> Condition {
+    pub(in crate::search) fn scope(&self, named: &BTreeSet<AgentId>) -> Scope {
         let given = self.claim.optima().clone();
         let at_most = self.claim.excluded_above();
         // The makespan is a limit of each agent; a sum is one of all of them.
         let is_shared = at_most.is_some() || given.keys().any(|&cost| cost != Cost::Makespan);
         let others = is_shared || self.team.insiders().iter().any(|a| !named.contains(a));
-        Condition {
+        Scope {
             given,
             at_most,
             within: self.deadlines.horizon_in_force(),
@@ -77,7 +77,7 @@ impl Search<'_, '_, '_> {
         if !self.budget.is_traced() {
             return;
         }
-        let condition = self.condition(&core.agents().iter().copied().collect());
+        let scope = self.scope(&core.agents().iter().copied().collect());
         let effort = core.effort();
         self.budget.record(|names| {
             let limits = core.agents().iter().map(|&agent| {
@@ -89,7 +89,7 @@ impl Search<'_, '_, '_> {
                 limits: limits.collect(),
                 sums: Vec::new(),
                 together: None,
-                condition,
+                scope,
                 from: by,
                 to: by + 1,
                 literals: effort.into(),
@@ -107,10 +107,10 @@ impl Search<'_, '_, '_> {
     ) {
         self.budget.record(|_| SearchEvent::Closed {
             cost,
-            condition: Condition {
+            scope: Scope {
                 given: self.claim.optima().clone(),
                 within: self.deadlines.horizon_in_force(),
-                ..Condition::default()
+                ..Scope::default()
             },
             from,
             to,

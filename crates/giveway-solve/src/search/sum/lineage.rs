@@ -112,7 +112,7 @@ impl SumStage<'_> {
         } else {
             all.clone()
         };
-        let condition = search.condition(&named);
+        let scope = search.scope(&named);
         let to = self.bound.at_least();
         budget.record(|names| {
             let limits = own.iter();
@@ -129,7 +129,7 @@ impl SumStage<'_> {
                         .collect(),
                     more: paid as u32,
                 }),
-                condition,
+                scope,
                 from: to - 1,
                 to,
                 literals: effort.into(),

@@ -1,4 +1,4 @@
-//! Conditions of a scene or a plan that the solver or the judge decides.
+//! Statements about a scene or a plan that the solver or the judge decides.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Question};
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
     rename_all_fields = "kebab-case",
     deny_unknown_fields
 )]
-pub enum Condition {
+pub enum Statement {
     /// There is no plan.
     Impossible {
         /// Whether each robot, were it alone, must still have one.

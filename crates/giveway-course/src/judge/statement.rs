@@ -1,4 +1,4 @@
-//! Whether a condition holds: what must be asked, and what the answers say.
+//! Whether a statement holds: what must be asked, and what the answers say.
 
 use giveway_model::{Cost, Objective};
 use giveway_solve::audit::{AuditAnswer, AuditStatus};
@@ -6,10 +6,10 @@ use giveway_solve::{Request, Response, Status, explain};
 
 use super::proved::{self, Proved};
 use super::{Situation, Why, ask};
-use crate::lesson::Condition;
+use crate::lesson::Statement;
 use crate::port::Evidence;
 
-/// Whether a condition holds. What the solver does not know holds neither way.
+/// Whether a statement holds. What the solver does not know holds neither way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
     /// It holds.
@@ -43,31 +43,31 @@ impl Outcome {
 /// # Errors
 /// Where there is nothing to ask about.
 pub(crate) fn requests(
-    condition: &Condition,
+    statement: &Statement,
     situation: Situation<'_>,
 ) -> Result<Vec<Request>, Why> {
     let Situation { step, start, scene } = situation;
-    Ok(match condition {
-        Condition::Impossible { each_alone: false }
-        | Condition::Solvable {}
-        | Condition::Cost { .. } => vec![ask::solve(scene, None)],
-        Condition::Impossible { each_alone: true } => {
+    Ok(match statement {
+        Statement::Impossible { each_alone: false }
+        | Statement::Solvable {}
+        | Statement::Cost { .. } => vec![ask::solve(scene, None)],
+        Statement::Impossible { each_alone: true } => {
             let alone = (0..scene.agents.len()).map(|index| ask::alone(scene, index));
             std::iter::once(ask::solve(scene, None))
                 .chain(alone)
                 .collect()
         }
-        Condition::Raised { .. } => vec![ask::solve(scene, None), ask::solve(start, None)],
-        Condition::Verdict { question, .. } => {
+        Statement::Raised { .. } => vec![ask::solve(scene, None), ask::solve(start, None)],
+        Statement::Verdict { question, .. } => {
             // The step's plan is one of the scene that it began with.
             let plan = step.plan.as_ref().filter(|_| scene == start);
             vec![ask::explain(scene, plan, question.clone())]
         }
-        Condition::Apart { costs } => match Objective::new(costs.to_vec()) {
+        Statement::Apart { costs } => match Objective::new(costs.to_vec()) {
             Ok(objective) => vec![ask::front(scene, objective)],
             Err(error) => return Err(Why::Refused(error.to_string())),
         },
-        Condition::Legal {} | Condition::Best {} | Condition::Beaten {} => match &step.plan {
+        Statement::Legal {} | Statement::Best {} | Statement::Beaten {} => match &step.plan {
             Some(plan) => vec![ask::audit(scene, plan)],
             None => return Err(Why::Untouched),
         },
@@ -76,14 +76,14 @@ pub(crate) fn requests(
 
 /// What the answers say.
 pub(crate) fn decide(
-    condition: &Condition,
+    statement: &Statement,
     situation: Situation<'_>,
     responses: &[Response],
 ) -> Outcome {
-    let outcome = match condition {
-        Condition::Impossible { .. } => impossible(situation, responses),
-        Condition::Solvable {} => solvable(responses),
-        Condition::Cost {
+    let outcome = match statement {
+        Statement::Impossible { .. } => impossible(situation, responses),
+        Statement::Solvable {} => solvable(responses),
+        Statement::Cost {
             cost,
             compare,
             value,
@@ -100,12 +100,12 @@ pub(crate) fn decide(
                 Outcome::of(compare.holds(found, *value), why, evidence)
             }
         }),
-        Condition::Raised { cost, by } => raised(*cost, *by, responses),
-        Condition::Verdict { verdict, .. } => answered(*verdict, responses.first()),
-        Condition::Apart { costs } => apart(*costs, responses.first()),
-        Condition::Legal {} => legal(responses.first()),
-        Condition::Best {} => best_of_all(responses.first(), true),
-        Condition::Beaten {} => best_of_all(responses.first(), false),
+        Statement::Raised { cost, by } => raised(*cost, *by, responses),
+        Statement::Verdict { verdict, .. } => answered(*verdict, responses.first()),
+        Statement::Apart { costs } => apart(*costs, responses.first()),
+        Statement::Legal {} => legal(responses.first()),
+        Statement::Best {} => best_of_all(responses.first(), true),
+        Statement::Beaten {} => best_of_all(responses.first(), false),
     };
     outcome.unwrap_or_else(|why| Outcome {
         held: Held::Unknown,
