@@ -122,13 +122,13 @@ pub fn sentences(assumptions: &[Assumption]) -> Vec<String> {
         }
     }
     if chosen {
-        sentences.push(tr!("The file leaves goals or tasks open. Whatever is called the best is the best for those that were chosen here.").to_owned());
+        sentences.push(tr!("The file leaves goals or tasks open. Whatever is said here is said for those that were chosen.").to_owned());
     }
     if !moving.is_empty() {
         sentences.push(tr!("The file has obstacles that move: {names}. Plans are judged with them, but the search for better plans leaves them out.", names = and(&moving)));
     }
     if let Some(rules) = left_out(assumptions) {
-        sentences.push(tr!("Rules of the file's problem that are left out here: {rules}. What every plan costs at least holds with them, too. A plan that is found here may break them.", rules));
+        sentences.push(tr!("Rules of the file's problem that are left out here: {rules}. Whatever is said here is said without them: a plan may break them. What every plan costs at least holds with them, too.", rules));
     }
     if !keys.is_empty() {
         sentences.push(tr!("The file has keys that are not heeded and may change the problem: {keys}. Whatever is said here is said for the scene without them.", keys = and(&keys)));

@@ -188,3 +188,31 @@ fn it_has_arrived_when_the_world_changes_and_may_be_given_a_goal() {
         assert_eq!(level, Some(0), "it used nothing while it slept");
     }
 }
+
+/// A robot that rests is there also where others vanish, and half way along a slow edge it is
+/// met by what crosses that edge the other way.
+#[test]
+fn obstacles_that_move_meet_robots_that_rest_and_robots_in_transit() {
+    let moving = |map: &str, path: &str, agent: &str| {
+        let text = format!(
+            r#"{{ "giveway": 1, "map": {map}, "rules": {VANISH}, "agents": [{agent}],
+                "assumptions": [{{ "assumes": "moving-obstacle", "name": "o", "path": {path} }}] }}"#
+        );
+        native::read_instance(&text).unwrap()
+    };
+    let rests = moving(
+        r#"["..."]"#,
+        "[[2, 0], [2, 0], [1, 0], [0, 0]]",
+        r#"{ "name": "A", "start": [1, 0] }"#,
+    );
+    let here = plan(r#""A": [[1, 0]]"#);
+    assert_eq!(rules_broken(&rests, &here), [Rule::Obstacle]);
+    let goes = r#"{ "name": "A", "start": [0, 0], "goal": [1, 0] }"#;
+    let slow = moving(r#"["~~"]"#, "[[1, 0], [0, 0]]", goes);
+    let there = plan(r#""A": [[0, 0], null, [1, 0]]"#);
+    assert_eq!(rules_broken(&slow, &there), [Rule::Obstacle]);
+    let later = moving(r#"["~~"]"#, "[[1, 0], [1, 0], [0, 0]]", goes);
+    assert_eq!(rules_broken(&later, &there), [Rule::Obstacle]);
+    let behind = moving(r#"["~~~"]"#, "[[2, 0], [2, 0], [2, 0]]", goes);
+    assert!(check(&behind, &there).is_valid());
+}

@@ -9,11 +9,17 @@
 //! so nothing is called proved, and no bound is kept. Goals that were chosen are part of the question,
 //! as every answer says; that there is no plan for them says nothing of other goals.
 
+mod others;
+#[cfg(test)]
+mod tests;
+
 use giveway_model::{
     Assumption, Costs, Fault, Instance, Objective, Plan, Scene,
     check::{check, first_meeting},
     tr,
 };
+
+pub(crate) use others::{weaken_changed, weaken_explained, weaken_freedom, weaken_planned};
 
 use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status, budget::Stop};
 
@@ -93,7 +99,7 @@ fn is_illegal(instance: &Instance, plan: &Plan) -> bool {
 
 /// Weakens the answer of a search that left out what the instance assumes. `start` is a
 /// plan that was known before.
-pub(crate) fn weaken(
+pub(crate) fn weaken_solved(
     (instance, objective): (&Instance, &Objective),
     start: Option<&Plan>,
     answer: &mut SolveAnswer,
@@ -119,6 +125,11 @@ pub(crate) fn weaken(
         };
         end(answer, reason);
     }
+    weaken((assumptions, objective), answer);
+}
+
+/// The same for all that a scene assumes but obstacles that move.
+fn weaken((assumptions, objective): (&[Assumption], &Objective), answer: &mut SolveAnswer) {
     if has_left_out(assumptions) && answer.plan.is_some() {
         keep_reached(objective, None, answer);
         answer.status = Status::Feasible;
@@ -129,7 +140,7 @@ pub(crate) fn weaken(
         end(answer, Reason::ChosenGoals);
     }
     if has_unknown(assumptions) {
-        claim_nothing(instance, answer);
+        claim_nothing(assumptions, answer);
     }
 }
 
@@ -171,7 +182,7 @@ pub(crate) fn weaken_beside(
         end(answer, Reason::OpenGoals);
     }
     if has_unknown(instance.assumptions()) {
-        claim_nothing(instance, answer);
+        claim_nothing(instance.assumptions(), answer);
     }
 }
 
@@ -189,7 +200,7 @@ pub(crate) fn weaken_front(
         answer.ended = Some(Ended::Assumptions);
         answer.reach = Reach::default();
         for point in &mut answer.front {
-            weaken((instance, objective), None, point);
+            weaken_solved((instance, objective), None, point);
             if has_left_out {
                 point.bounds.clear();
             }
@@ -213,16 +224,16 @@ fn end(answer: &mut SolveAnswer, reason: Reason) {
 }
 
 /// Leaves the plan alone of an answer, where a key of unknown meaning may change anything.
-fn claim_nothing(instance: &Instance, answer: &mut SolveAnswer) {
+fn claim_nothing(assumptions: &[Assumption], answer: &mut SolveAnswer) {
     answer.status = weaker(answer.status);
     answer.bounds.clear();
     answer.reach = Reach::default();
-    end(answer, unknown(instance));
+    end(answer, unknown(assumptions));
 }
 
 /// Which keys may change anything.
-fn unknown(instance: &Instance) -> Reason {
-    let mut keys = instance.assumptions().to_vec();
+fn unknown(assumptions: &[Assumption]) -> Reason {
+    let mut keys = assumptions.to_vec();
     keys.retain(|one| matches!(one, Assumption::UnknownKey { .. }));
     Reason::UnknownKeys { keys }
 }

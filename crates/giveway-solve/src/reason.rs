@@ -40,15 +40,17 @@ pub enum Reason {
     Cause(Cause),
     /// What happened before a change takes longer than the horizon.
     PastTooLong,
-    /// A planner that looks one step ahead came to a standstill.
-    Standstill {
+    /// A planner that looks one step ahead made all its steps.
+    StepsOver {
+        /// The steps.
+        steps: u32,
         /// The agents at their goals.
         arrived: u32,
         /// All agents.
         of: u32,
     },
-    /// A planner looked at as many states as it ever does.
-    Effort,
+    /// A planner's search came to its end without a plan of the makespan that is allowed.
+    SearchEnded,
     /// A planner proved its cost up to a makespan only.
     LeastWithin {
         /// The cost.

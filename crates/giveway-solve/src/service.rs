@@ -144,7 +144,10 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         Request::Check(request) => serve_check(request),
         Request::Solve(request) => serve_solve(request, host),
         Request::Explain(request) => match engine::explain(request, host) {
-            Ok(answer) => Response::Explained(Box::new(answer)),
+            Ok(mut answer) => {
+                assumed::weaken_explained(&request.scene, &mut answer);
+                Response::Explained(Box::new(answer))
+            }
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Certify(request) => match certify(request, host) {
@@ -160,13 +163,19 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Plan(request) => match plan::serve(request, host) {
-            Ok(answer) => Response::Planned(Box::new(answer)),
+            Ok(mut answer) => {
+                assumed::weaken_planned(&request.scene, &mut answer);
+                Response::Planned(Box::new(answer))
+            }
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Freedom(request) => match assumed::refuse_goalless(&request.scene)
             .and_then(|()| freedom::serve(request, host))
         {
-            Ok(answer) => Response::Freedom(Box::new(answer)),
+            Ok(mut answer) => {
+                assumed::weaken_freedom(&request.scene, &mut answer);
+                Response::Freedom(Box::new(answer))
+            }
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Together(request) => match together::serve(request, host) {
@@ -202,7 +211,7 @@ fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
         Ok((task, instance)) => {
             let mut answer = solve::solve(&task).answer;
             let objective = &task.objective;
-            assumed::weaken((&instance, objective), request.start.as_ref(), &mut answer);
+            assumed::weaken_solved((&instance, objective), request.start.as_ref(), &mut answer);
             Response::Solved(answer)
         }
         Err(refusal) => Response::Refused(refusal),
@@ -250,7 +259,12 @@ fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<(Task<'a>, Ins
 
 fn serve_change(request: &ChangeRequest, host: &dyn Host) -> Response {
     match change::serve(request, host) {
-        Ok(answer) => Response::Changed(Box::new(answer)),
+        Ok(mut answer) => {
+            let scene = &request.scene;
+            let objective = request.objective.as_ref().unwrap_or(&scene.objective);
+            assumed::weaken_changed(scene, objective, &mut answer);
+            Response::Changed(Box::new(answer))
+        }
         Err(refusal) => Response::Refused(refusal),
     }
 }

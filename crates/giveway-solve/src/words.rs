@@ -108,13 +108,15 @@ pub fn reason(reason: &Reason) -> String {
         Reason::PastTooLong => {
             tr!("What has already happened takes longer than that.").to_owned()
         }
-        Reason::Standstill { arrived, of } => tr!(
-            "Robots stood in each other's way for good: {arrived} of {all} were at their goals.",
+        Reason::StepsOver { steps, arrived, of } => tr!(
+            "After {n} step {arrived} of {all} robots were at their goals, and the planner ended."
+                | "After {n} steps {arrived} of {all} robots were at their goals, and the planner ended."
+                % *steps,
             arrived,
             all = of
         ),
-        Reason::Effort => {
-            tr!("The planner gave up: it looked at as much as it ever does.").to_owned()
+        Reason::SearchEnded => {
+            tr!("The planner's search came to its end without a plan that fits.").to_owned()
         }
         Reason::LeastWithin { cost, within } => tr!(
             "No plan of makespan at most {n} has a smaller {cost}; a longer one might.",

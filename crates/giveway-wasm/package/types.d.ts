@@ -737,7 +737,7 @@ export type PlanEnd =
   /** No plan has less of the first cost: of at most this makespan, or none at all. */
   | { how: "best"; within: number | null }
   | { how: "found" }
-  | { how: "no-order-works"; tried: number; stuck: StuckAgent }
+  | { how: "no-order-works"; tried: number; within: number; stuck: StuckAgent }
   | { how: "stopped"; reason: string }
   /** There is no plan of at most this makespan; there may be a longer one. */
   | { how: "horizon"; within: number }

@@ -1,8 +1,9 @@
 //! Agents that meet an obstacle which moves.
 //!
 //! An obstacle is at one cell at each time, and stays at its last one. No agent may be at
-//! that cell then, or exchange cells with the obstacle in a step. Agents that arrived and
-//! stay are looked at as long as an obstacle moves.
+//! that cell then, or exchange cells with the obstacle in a step; half way along a slow edge
+//! that is either of its two steps. Agents that arrived and stay are looked at as long as an
+//! obstacle moves.
 
 use super::findings::{Findings, Place};
 use super::walk::Walk;
@@ -94,14 +95,15 @@ fn meet(
         to,
     };
     let obstacle = |time: usize| path.get(time).or(path.last()).copied();
+    let keeps = instance.keeps(walk.agent);
     let at = |time: usize| {
         if time <= walk.arrival() {
             walk.at(time)
         } else {
-            walk.end().filter(|_| instance.stays())
+            walk.end().filter(|_| keeps)
         }
     };
-    let last = if instance.stays() {
+    let last = if keeps {
         walk.arrival().max(path.len())
     } else {
         walk.arrival()
@@ -109,6 +111,9 @@ fn meet(
     let mut before = None;
     for time in 0..=last {
         let (Some(there), Some(blocked)) = (at(time), obstacle(time)) else {
+            half_way(time, (&at, &obstacle), &mut |time, from, to| {
+                met(meeting(time, from, Some(to)));
+            });
             before = None;
             continue;
         };
@@ -120,5 +125,28 @@ fn meet(
             met(meeting(time - 1, blocked, Some(there)));
         }
         before = Some((there, blocked));
+    }
+}
+
+/// An agent half way along a slow edge, which an obstacle crosses the other way in one of the
+/// two steps.
+fn half_way(
+    time: usize,
+    (at, obstacle): (
+        &dyn Fn(usize) -> Option<Cell>,
+        &dyn Fn(usize) -> Option<Cell>,
+    ),
+    met: &mut dyn FnMut(usize, Cell, Cell),
+) {
+    let Some(begin) = time.checked_sub(1) else {
+        return;
+    };
+    let (Some(from), Some(to)) = (at(begin), at(time + 1)) else {
+        return;
+    };
+    for step in [begin, time] {
+        if obstacle(step) == Some(to) && obstacle(step + 1) == Some(from) {
+            met(step, from, to);
+        }
     }
 }

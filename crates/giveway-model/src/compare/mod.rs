@@ -88,7 +88,7 @@ pub fn compare(instance: &Instance, one: &Plan, other: &Plan) -> Comparison {
             agent: name.to_owned(),
             difference: Difference::between(entries[0], entries[1]),
             arrivals: [0, 1].map(|side: usize| arrivals[side].get(i).copied().flatten()),
-            first: divergence(entries[0], entries[1], instance.stays()),
+            first: divergence(entries[0], entries[1], instance.keeps(agent)),
         }
     });
     let agents = agents.collect();

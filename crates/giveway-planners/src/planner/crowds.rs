@@ -34,7 +34,10 @@ pub(super) fn pibt(asked: &Asked, mut best: Best, budget: &dyn Budget) -> Report
             best.offer(&walks);
             Outcome::found(best)
         }
-        pibt::Outcome::Stuck(arrived) => Outcome::stopped(Halt::Stuck { arrived }, best),
+        pibt::Outcome::Stuck(arrived) => {
+            let steps = made.steps;
+            Outcome::stopped(Halt::Stuck { arrived, steps }, best)
+        }
         pibt::Outcome::Stopped(stop) => Outcome::stopped(Halt::Budget(stop), best),
     };
     Report {

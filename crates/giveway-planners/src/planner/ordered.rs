@@ -17,6 +17,7 @@ pub(super) fn prioritised(asked: &Asked, mut best: Best, budget: &dyn Budget) ->
         }
         Ended::NoOrderWorks(stuck) => Outcome::NoOrderWorks {
             tried: planned.tried,
+            within: asked.horizon(),
             stuck,
         },
         Ended::Stopped(stop) => Outcome::stopped(Halt::Budget(stop), best),

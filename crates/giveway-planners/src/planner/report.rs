@@ -43,8 +43,13 @@ pub enum Outcome {
     Best { walks: Vec<Walk>, proved: Proved },
     /// With a plan; there may be better ones.
     Found { walks: Vec<Walk> },
-    /// No order that was tried works; who got stuck in the last. There may be a plan.
-    NoOrderWorks { tried: u32, stuck: Stuck },
+    /// No order that was tried works within a makespan; who got stuck in the last. There may
+    /// be a plan.
+    NoOrderWorks {
+        tried: u32,
+        within: u32,
+        stuck: Stuck,
+    },
     /// Early, with the best plan so far and what is proved, as far as there is one.
     Stopped {
         halt: Halt,
@@ -104,10 +109,12 @@ pub enum Halt {
     /// All plans up to this makespan were excluded; longer ones were not looked
     /// for.
     Horizon(u32),
-    /// The steps of the horizon were made, and so many agents were at their goals.
+    /// All steps were made, and not all agents were at their goals.
     Stuck {
-        /// How many.
+        /// The agents at their goals.
         arrived: usize,
+        /// The steps.
+        steps: u32,
     },
     /// It looked at as much as it ever looks at.
     Effort,

@@ -48,10 +48,12 @@ pub enum PlanEnd {
     },
     /// With a plan; there may be better ones.
     Found,
-    /// No order that was tried works. There may be a plan.
+    /// No order that was tried works within a makespan. There may be a plan.
     NoOrderWorks {
         /// How many orders.
         tried: u32,
+        /// The makespan, in steps, up to which they were tried.
+        within: u32,
         /// Who got stuck in the last.
         stuck: StuckAgent,
     },

@@ -168,21 +168,27 @@ fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
             reach: (*proved).into(),
         },
         Outcome::Found { .. } => PlanEnd::Found,
-        Outcome::NoOrderWorks { tried, stuck } => PlanEnd::NoOrderWorks {
+        Outcome::NoOrderWorks {
+            tried,
+            within,
+            stuck,
+        } => PlanEnd::NoOrderWorks {
             tried: *tried,
+            within: *within,
             stuck: teller.stuck(stuck),
         },
         Outcome::Stopped { halt, .. } => match *halt {
             Halt::Budget(stop) => stopped(stop),
             Halt::Horizon(within) => PlanEnd::Horizon { within },
-            Halt::Stuck { arrived } => PlanEnd::Stopped {
-                reason: Reason::Standstill {
+            Halt::Stuck { arrived, steps } => PlanEnd::Stopped {
+                reason: Reason::StepsOver {
+                    steps,
                     arrived: arrived as u32,
                     of: teller.names.len() as u32,
                 },
             },
             Halt::Effort => PlanEnd::Stopped {
-                reason: Reason::Effort,
+                reason: Reason::SearchEnded,
             },
         },
         Outcome::Refused { lack } => PlanEnd::Refused {

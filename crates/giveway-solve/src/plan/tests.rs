@@ -83,12 +83,12 @@ fn an_order_works_or_it_does_not() {
     };
     assert_eq!(
         said(&planned(in_order)),
-        "This order does not work: A cannot get past B. Another order or another planner may find \
+        "This order does not work within makespan 28: A cannot get past B. Another order or another planner may find \
          a plan."
     );
     let found = said(&planned(request(SWAP, Planner::Prioritised)));
     assert!(
-        found.starts_with("No plan found: none of 2 orders works."),
+        found.starts_with("No plan found: none of 2 orders works within makespan 28."),
         "{found}"
     );
 }
@@ -314,7 +314,7 @@ fn every_planner_finds_a_plan_and_tells_how() {
 }
 
 #[test]
-fn where_robots_stand_in_the_way_for_good_pibt_says_so() {
+fn pibt_says_after_how_many_steps_it_ended() {
     let answer = planned(request(SWAP, Planner::Pibt));
     let text = said(&answer);
     assert!(
@@ -322,7 +322,45 @@ fn where_robots_stand_in_the_way_for_good_pibt_says_so() {
         "{text}"
     );
     assert!(
-        text.starts_with("Robots stood in each other's way"),
+        text.starts_with("After 112 steps 0 of 2 robots were at their goals"),
         "{text}"
+    );
+}
+
+/// A horizon, and not the robots, may be why there is no plan.
+#[test]
+fn what_ends_with_the_horizon_says_so() {
+    let lane = r#"{ "giveway": 1, "map": ["......"],
+        "agents": [{ "name": "A", "start": [0, 0], "goal": [5, 0] }] }"#;
+    let within = |planner, within| {
+        said(&planned(PlanRequest {
+            within: Some(within),
+            ..request(lane, planner)
+        }))
+    };
+    assert_eq!(
+        within(Planner::Pibt, 3),
+        "After 3 steps 0 of 1 robots were at their goals, and the planner ended. \
+         There may be a plan; none was found yet."
+    );
+    for planner in [Planner::Lacam, Planner::Lns] {
+        assert_eq!(
+            within(planner, 3),
+            "The planner's search came to its end without a plan that fits. \
+             There may be a plan; none was found yet."
+        );
+    }
+    let order = planned(PlanRequest {
+        within: Some(2),
+        ..request(CROSSING, Planner::Prioritised)
+    });
+    let PlanEnd::NoOrderWorks { within, .. } = order.ended else {
+        panic!("{order:?}");
+    };
+    assert_eq!(within, 2);
+    assert!(
+        said(&order).contains("within makespan 2"),
+        "{}",
+        said(&order)
     );
 }

@@ -25,17 +25,30 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
     match &answer.ended {
         PlanEnd::Best { .. } => say(tr!("an answer" => "Best plan"), format!(": {}.", costs())),
         PlanEnd::Found => say(tr!("an answer" => "Plan found"), format!(": {}.", costs())),
-        PlanEnd::NoOrderWorks { tried: 1, stuck } => say(
+        PlanEnd::NoOrderWorks {
+            tried: 1,
+            within,
+            stuck,
+        } => say(
             tr!("This order does not work"),
-            format!(": {}.", is_stuck(stuck)),
+            tr!(
+                "behind: This order does not work" => " within makespan {within}: {stuck}.",
+                within,
+                stuck = is_stuck(stuck)
+            ),
         ),
-        PlanEnd::NoOrderWorks { tried, stuck } => {
+        PlanEnd::NoOrderWorks {
+            tried,
+            within,
+            stuck,
+        } => {
             let last = is_stuck(stuck);
             say(
                 tr!("an answer" => "No plan found"),
                 tr!(
-                    ": none of {tried} orders works. In the last, {last}.",
+                    ": none of {tried} orders works within makespan {within}. In the last, {last}.",
                     tried,
+                    within,
                     last
                 ),
             )
