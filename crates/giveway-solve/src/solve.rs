@@ -186,7 +186,7 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
     let (status, reach, ended, reason) = match *error {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
-            Some(Proved::ForEver(reason.into())),
+            Some(Proved::no_plan(reason)),
             Ended::Proof,
             tr!("{name} cannot do its task, even alone.", name = name(i)),
         ),

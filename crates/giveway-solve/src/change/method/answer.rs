@@ -37,7 +37,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 within: None,
                 text: text.clone(),
             };
-            let reach = Proved::ForEver(reason);
+            let reach = Proved::no_plan(reason);
             (
                 Status::Impossible,
                 Some(reach),

@@ -93,7 +93,9 @@ impl SoftRules<'_, '_, '_> {
         for agent in 0..self.problem.agents() {
             self.team.grow(agent, deadline)?;
         }
-        let most = self.lowered().map_or(MOST_BROKEN, |best| best.count.saturating_sub(1));
+        let most = self
+            .lowered()
+            .map_or(MOST_BROKEN, |best| best.count.saturating_sub(1));
         let breaches = (self.breaches)(&self.team, self.problem);
         let lits: Vec<Lit> = breaches.iter().map(|&(_, lit)| lit).collect();
         let counted = capped(&lits, most + 1, self.team.clauses())?;
