@@ -184,7 +184,7 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
     let (status, reach, ended, reason) = match *error {
         ProblemError::Alone(i, reason) => (
             Status::Impossible,
-            Some(Proved::ForEver(reason.into())),
+            Some(Proved::no_plan(reason)),
             Ended::Proof,
             Reason::Alone {
                 agent: name(i).to_owned(),

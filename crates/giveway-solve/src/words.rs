@@ -219,10 +219,8 @@ pub fn may_differ(ended: Option<Ended>) -> bool {
 /// none, or they hold for plans of any makespan.
 pub fn reach_of_bounds(answer: &SolveAnswer) -> Option<String> {
     let early = matches!(answer.status, Status::Feasible | Status::Unknown);
-    let within = answer
-        .reach
-        .within()
-        .filter(|_| early && !answer.bounds.is_empty())?;
+    let is_bounded = early && !answer.bounds.is_empty();
+    let within = answer.reach.within().filter(|_| is_bounded)?;
     Some(tr!(
         "What is proved holds for plans of makespan at most {within}.",
         within

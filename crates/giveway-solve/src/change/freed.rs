@@ -23,7 +23,7 @@ use super::{
 use crate::{
     budget::{Budget, Stop},
     problem::{HopelessAlone, Problem, ProblemError},
-    search::{Aim, Bounded, ForEver, Horizon, Proved, find},
+    search::{Aim, Bounded, ForEver, Horizon, NoPlan, Proved, find},
     single::Bounds,
     terrain::Terrain,
 };
@@ -45,7 +45,7 @@ pub(super) enum Trouble {
     Held(usize, Fault),
     /// An agent cannot do what is asked of it, whatever the others do; and why
     /// that holds whatever the horizon.
-    Alone(usize, Fault, ForEver),
+    Alone(usize, Fault, ForEver<NoPlan>),
     /// An agent has more waypoints than can be planned for.
     TooManyWaypoints(usize),
     Stopped(Stop),

@@ -91,7 +91,7 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
             let agent = instance.agents().get(agent);
             return Found {
                 status: Status::Impossible,
-                reach: Some(Proved::ForEver(reason.into())),
+                reach: Some(Proved::no_plan(reason)),
                 clash: agent.map(|a| a.name.clone()).into_iter().collect(),
                 ..nothing
             };
@@ -105,7 +105,7 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
         if let Err(unmeetable) = limit_costs(condition, &mut limits) {
             return Found {
                 status: Status::Impossible,
-                reach: Some(Proved::ForEver(unmeetable.into())),
+                reach: Some(Proved::no_plan(unmeetable)),
                 horizon: horizon.latest(),
                 ..nothing
             };

@@ -173,7 +173,7 @@ fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
         },
         plan: None,
         costs: None,
-        reach: nobody.map(|&nobody| Proved::ForEver(nobody.into())),
+        reach: nobody.map(|&nobody| Proved::no_plan(nobody)),
         clash: Vec::new(),
         horizon: case.costs.makespan,
     })

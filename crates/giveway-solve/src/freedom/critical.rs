@@ -57,7 +57,7 @@ impl<'t, 'h> Critical<'t, 'h> {
                 None => Closed::Unknown { worse: false },
                 Some((needed, shown)) => Closed::Impossible {
                     needed: Some(needed),
-                    reach: Proved::ForEver(shown.into()).into(),
+                    reach: Proved::no_plan(shown).into(),
                 },
             };
             CriticalCell { cell, closed }

@@ -20,7 +20,7 @@ use super::{
     aim::Bounded,
     closest::NoneCloser,
     growing::AssumptionCore,
-    horizon::Horizon,
+    horizon::{AllInTime, Horizon},
     minima::{LimitTooLow, Minima},
     stage::Search,
 };
@@ -33,14 +33,15 @@ pub(crate) use bounds::reach_of_bounds;
 pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever, soonest};
 pub(super) use optima::OfOptima;
 pub(crate) use proved::Proved;
-pub(crate) use token::ForEver;
+pub(super) use token::Least;
+pub(crate) use token::{ForEver, NoPlan};
 
 /// Every plan that keeps the limits arrives within the horizon, or has a
 /// counterpart that does.
-fn limits_time(problem: &Problem, bounded: &Bounded) -> Option<ForEver> {
+fn limits_time(problem: &Problem, bounded: &Bounded) -> Option<AllInTime> {
     let Bounded { horizon, limits } = bounded;
     let by_limits = || horizon.covers_limits(problem, limits);
-    horizon.covers_all().or_else(by_limits).map(ForEver::from)
+    horizon.covers_all().or_else(by_limits)
 }
 
 /// How far it reaches what is shown of all plans that are as good as the best one, up
@@ -55,8 +56,11 @@ pub(crate) fn reach_of_best_plans(
     let costs = objective.costs().iter();
     let limits = map(costs.map(|&cost| (cost, best.get(cost))));
     let in_time = Horizon::at(horizon).covers_limits(problem, &limits);
-    Proved::new(in_time.map(ForEver::from), horizon).and(optimum)
+    Proved::new(in_time.map(ForEver::<Least>::from), horizon).and(optimum)
 }
+
+/// An agent, and why it arrives too late at any horizon, if it does.
+type TooLate = (usize, Option<ForEver<NoPlan>>);
 
 /// An agent that arrives too late, even alone, for what is asked for; and whether
 /// it does at any horizon.
@@ -64,7 +68,7 @@ pub(super) fn too_late(
     problem: &Problem,
     bounded: &Bounded,
     budget: &Budget,
-) -> Result<Option<(usize, Option<ForEver>)>, Stop> {
+) -> Result<Option<TooLate>, Stop> {
     let horizon = bounded.latest();
     let latest = |agent: usize| horizon.min(problem.not_after(agent));
     let mut agents = 0..problem.agents();
@@ -73,7 +77,8 @@ pub(super) fn too_late(
     };
     let optimum = Minima::default().of_one(problem, agent, Cost::Makespan, budget)?;
     let alone = optimum.spare(problem.not_after(agent)).err();
-    let reason = limits_time(problem, bounded).or(alone.map(ForEver::from));
+    let in_time = limits_time(problem, bounded).map(ForEver::from);
+    let reason = in_time.or(alone.map(ForEver::from));
     Ok(Some((agent, reason)))
 }
 
@@ -108,13 +113,14 @@ pub(super) fn impossible(
     search: &Search,
     bounded: &Bounded,
     core: &AssumptionCore,
-) -> Result<Option<ForEver>, Stop> {
+) -> Result<Option<ForEver<NoPlan>>, Stop> {
     let (problem, budget) = (search.problem, &search.budget);
     let clash = core.agents();
     if let Some(free) = search.deadlines.free_of_horizon(clash) {
         return Ok(Some(ForEver::refuted(core, free)));
     }
-    if let Some(reason) = limits_time(problem, bounded).or(exhausted(problem, clash, budget)?) {
+    let in_time = limits_time(problem, bounded).map(ForEver::from);
+    if let Some(reason) = in_time.or(exhausted(problem, clash, budget)?) {
         return Ok(Some(reason));
     }
     above_limits(problem, bounded, budget)

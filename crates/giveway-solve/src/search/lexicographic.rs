@@ -101,9 +101,14 @@ fn find_from(
     let end = run(given, &mut incumbent, &mut verdict);
     match end {
         Ok(Shown::Plan) => {}
-        Ok(Shown::Claim(reason)) => {
+        Ok(Shown::NoPlan(reason)) if incumbent.costs().is_none() => {
             verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
         }
+        Ok(Shown::Best(reason)) if incumbent.costs().is_some() => {
+            verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
+        }
+        // What was shown is not about what was found.
+        Ok(Shown::NoPlan(_) | Shown::Best(_)) => verdict.stop = Some(Stop::Contradiction),
         Err(stop) => verdict.stop = Some(stop),
     }
     verdict.best = incumbent.into_best();
@@ -125,11 +130,11 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
     } = given;
     if let Some((agent, reason)) = for_ever::too_late(problem, bounded, budget)? {
         verdict.clash = vec![agent];
-        return Ok(Shown::Claim(reason));
+        return Ok(Shown::NoPlan(reason));
     }
     if let Some((agent, too_low)) = for_ever::asked_below_minimum(problem, budget)? {
         verdict.clash = vec![agent];
-        return Ok(Shown::Claim(Some(too_low.into())));
+        return Ok(Shown::NoPlan(Some(too_low.into())));
     }
     let walks = apart(problem, budget)?;
     // Outside the SAT solver each agent has a walk at its optimum.
@@ -168,7 +173,7 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
             && let Some(reason) = for_ever::above_limits(problem, bounded, budget)?
         {
             verdict.clash = all;
-            return Ok(Shown::Claim(Some(reason)));
+            return Ok(Shown::NoPlan(Some(reason)));
         }
         let by_sat = |given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict| {
             first_by_sat(given, &walks, incumbent, verdict)
@@ -247,12 +252,12 @@ fn first_by_sat(
     };
     let mut search = Search::new(subject, Keeping::Assumed, incumbent, Rc::clone(budget));
     if let Some(too_low) = search.keep_limits(bounded)? {
-        return Ok(Some(Shown::Claim(Some(too_low.into()))));
+        return Ok(Some(Shown::NoPlan(Some(too_low.into()))));
     }
     let Some(core) = feasible::run(&mut search)? else {
         return Ok(None);
     };
     let reason = for_ever::impossible(&search, bounded, &core)?;
     verdict.clash = core.agents().to_vec();
-    Ok(Some(Shown::Claim(reason)))
+    Ok(Some(Shown::NoPlan(reason)))
 }

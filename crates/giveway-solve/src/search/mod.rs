@@ -39,7 +39,7 @@ mod tests;
 
 pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
 pub(crate) use closest::{Before, Extent, closest};
-pub(crate) use for_ever::{ForEver, Proved, reach_of_best_plans, reach_of_bounds};
+pub(crate) use for_ever::{ForEver, NoPlan, Proved, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;
 pub(crate) use lexicographic::{find, solve};
 pub(crate) use minima::{LoneBound, Minima};

@@ -8,7 +8,7 @@ use super::{
     aim::{Aim, Bounded, Verdict},
     bound::Bound,
     deadlines::Keeping,
-    for_ever::{self, ForEver, Known, OfOptima},
+    for_ever::{self, ForEver, Known, Least, NoPlan, OfOptima},
     incumbent::Incumbent,
     makespan,
     stage::{End, Search, Subject},
@@ -37,9 +37,10 @@ pub(super) struct Given<'a, 'h> {
 pub(super) enum Shown {
     /// No more than the plan at hand, which is all that was looked for.
     Plan,
-    /// That there is no plan, or no better one: within the horizon, or for this
-    /// reason at any.
-    Claim(Option<ForEver>),
+    /// That there is no plan: within the horizon, or for this reason at any.
+    NoPlan(Option<ForEver<NoPlan>>),
+    /// That no plan is better than the one at hand, likewise.
+    Best(Option<ForEver<Least>>),
 }
 
 /// Whether the plan at hand already meets the aim, so that nothing is left to prove.
@@ -102,7 +103,10 @@ pub(super) fn or_exhausted<T>(
         verdict.bounds = optima.bounds;
         let bounds = verdict.bounds.clone();
         budget.record(|_| SearchEvent::Exhausted { bounds });
-        return Ok(all_shown(Shown::Claim(optima.reason)));
+        return Ok(all_shown(match incumbent.costs() {
+            Some(_) => Shown::Best(optima.reason.map(ForEver::from)),
+            None => Shown::NoPlan(optima.reason.map(ForEver::from)),
+        }));
     }
     let why = Restart::MoreTime;
     budget.record(|_| SearchEvent::Restarted { why });
@@ -194,5 +198,5 @@ fn stages(
             break;
         }
     }
-    Ok(Some(Shown::Claim(for_ever.reason())))
+    Ok(Some(Shown::Best(for_ever.reason())))
 }

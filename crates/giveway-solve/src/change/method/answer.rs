@@ -35,7 +35,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 method: Method::Replan,
                 has_batteries: false,
             };
-            let reach = Proved::ForEver(reason);
+            let reach = Proved::no_plan(reason);
             (
                 Status::Impossible,
                 Some(reach),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Objective};
 
-use super::{ForEver, Proved};
+use super::{ForEver, Least, Proved};
 use crate::{
     problem::Problem,
     search::{horizon::Horizon, minima::LoneBound},
@@ -20,7 +20,7 @@ pub(crate) fn reach_of_bounds(
     bounds: &BTreeMap<Cost, u32>,
     lone: &BTreeMap<Cost, LoneBound>,
 ) -> Proved {
-    let mut reason = None;
+    let mut reason: Option<ForEver<Least>> = None;
     for &cost in objective.costs() {
         let Some(&bound) = bounds.get(&cost) else {
             break;
@@ -28,7 +28,7 @@ pub(crate) fn reach_of_bounds(
         // A plan of less time is within the horizon; so are all among which the later
         // costs are bounded.
         if let Some(in_time) = horizon.covers(problem, cost, bound) {
-            return Proved::ForEver(in_time.into());
+            return Proved::for_ever(ForEver::<Least>::from(in_time));
         }
         let alone = lone.get(&cost).and_then(|lone| lone.shows(bound));
         let at_any = horizon.covers_all().map(ForEver::from);

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, sorting};
 
-use super::ForEver;
+use super::{ForEver, Least, NoPlan};
 use crate::{
     budget::{Budget, Stop},
-    joint,
+    joint::{self, AllStates},
     problem::Problem,
     search::{aim::Bounded, incumbent::Incumbent, minima::Minima, prove::Shown},
     trace::FoundBy,
@@ -17,7 +17,7 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub(in crate::search) struct Known {
     pub(in crate::search) least: u32,
-    pub(in crate::search) reason: ForEver,
+    pub(in crate::search) reason: ForEver<Least>,
 }
 
 /// The least charges, moves or waits at any horizon, where these stand first
@@ -56,7 +56,7 @@ pub(in crate::search) fn exhausted(
     problem: &Problem,
     agents: &[usize],
     budget: &Budget,
-) -> Result<Option<ForEver>, Stop> {
+) -> Result<Option<ForEver<NoPlan>>, Stop> {
     match joint::any(problem, agents, budget)? {
         joint::Exhausted::None(shown) => Ok(Some(shown.into())),
         _ => Ok(None),
@@ -72,11 +72,11 @@ pub(in crate::search) fn soonest(
     budget: &Budget,
 ) -> Result<Option<Shown>, Stop> {
     match joint::soonest(problem, budget)? {
-        joint::Exhausted::None(shown) => Ok(Some(Shown::Claim(Some(shown.into())))),
+        joint::Exhausted::None(shown) => Ok(Some(Shown::NoPlan(Some(shown.into())))),
         joint::Exhausted::Best(soonest, _) => {
             incumbent.offer(problem, &soonest.walks, FoundBy::Exhaustion);
             let is_late = soonest.vector.first() > Some(&bounded.latest());
-            Ok(is_late.then_some(Shown::Claim(None)))
+            Ok(is_late.then_some(Shown::NoPlan(None)))
         }
         joint::Exhausted::TooMany => Ok(None),
     }
@@ -87,7 +87,7 @@ pub(in crate::search) fn above_limits(
     problem: &Problem,
     bounded: &Bounded,
     budget: &Budget,
-) -> Result<Option<ForEver>, Stop> {
+) -> Result<Option<ForEver<NoPlan>>, Stop> {
     let all: Vec<usize> = (0..problem.agents()).collect();
     for (&cost, &most) in &bounded.limits {
         let counted = !matches!(cost, Cost::Makespan | Cost::SumOfCosts);
@@ -105,7 +105,7 @@ pub(in crate::search) fn above_limits(
 /// is looked at.
 pub(in crate::search) struct Optima {
     pub(in crate::search) bounds: BTreeMap<Cost, u32>,
-    pub(in crate::search) reason: Option<ForEver>,
+    pub(in crate::search) reason: Option<AllStates>,
 }
 
 /// The optima of all costs, where the joint states can be exhausted. The best plan
@@ -141,8 +141,10 @@ pub(in crate::search) fn best(
         if at_hand == vector {
             let costs = objective.costs().iter().copied();
             let bounds = sorting::map(costs.zip(vector.into_iter().flatten()));
-            let reason = shown.map(ForEver::from);
-            return Ok(Some(Optima { bounds, reason }));
+            return Ok(Some(Optima {
+                bounds,
+                reason: shown,
+            }));
         }
     }
     Ok(None)

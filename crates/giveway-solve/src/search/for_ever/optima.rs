@@ -3,7 +3,7 @@
 
 use giveway_model::Cost;
 
-use super::{ForEver, limits_time};
+use super::{ForEver, Least, limits_time};
 use crate::{
     budget::Stop,
     problem::Problem,
@@ -14,10 +14,10 @@ use crate::{
 pub(in crate::search) struct OfOptima {
     /// Why no plan counts that is later than the horizon. Once the makespan or
     /// the sum of costs is bounded, none does.
-    time_is_bounded: Option<ForEver>,
+    time_is_bounded: Option<ForEver<Least>>,
     /// Why all optima so far hold at any horizon; `None` where one may not, or
     /// there is none yet.
-    all: Option<ForEver>,
+    all: Option<ForEver<Least>>,
     any: bool,
 }
 
@@ -25,7 +25,7 @@ impl OfOptima {
     /// No stage has ended yet.
     pub(in crate::search) fn new(problem: &Problem, bounded: &Bounded) -> Self {
         Self {
-            time_is_bounded: limits_time(problem, bounded),
+            time_is_bounded: limits_time(problem, bounded).map(ForEver::from),
             all: None,
             any: false,
         }
@@ -40,7 +40,7 @@ impl OfOptima {
         &mut self,
         search: &mut Search,
         optimum: Optimum,
-        known: Option<ForEver>,
+        known: Option<ForEver<Least>>,
         bounded: &Bounded,
     ) -> Result<(), Stop> {
         let reason = match self.time_is_bounded.or(known) {
@@ -60,7 +60,7 @@ impl OfOptima {
     }
 
     /// Why all of them hold at any horizon.
-    pub(in crate::search) const fn reason(&self) -> Option<ForEver> {
+    pub(in crate::search) const fn reason(&self) -> Option<ForEver<Least>> {
         self.all
     }
 }
@@ -70,7 +70,7 @@ fn of_optimum(
     search: &mut Search,
     optimum: Optimum,
     bounded: &Bounded,
-) -> Result<Option<ForEver>, Stop> {
+) -> Result<Option<ForEver<Least>>, Stop> {
     let (cost, least) = (optimum.cost(), optimum.least());
     let in_time = bounded.horizon.covers(search.problem, cost, least);
     if let Some(in_time) = in_time {

@@ -1,20 +1,34 @@
 //! How far a claim reaches.
 
-use super::ForEver;
+use super::{ForEver, NoPlan};
 
 /// How far a claim reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proved {
     /// Whatever the horizon.
-    ForEver(ForEver),
+    ForEver(Reasoned),
     /// Among plans of at most this makespan.
     Within(u32),
 }
 
+/// That a claim has its reason, whichever claim it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Reasoned(());
+
 impl Proved {
     /// Beyond a horizon only with a reason.
-    pub(crate) fn new(reason: Option<ForEver>, horizon: u32) -> Self {
-        reason.map_or(Self::Within(horizon), Self::ForEver)
+    pub(crate) fn new<C>(reason: Option<ForEver<C>>, horizon: u32) -> Self {
+        reason.map_or(Self::Within(horizon), Self::for_ever)
+    }
+
+    /// Whatever the horizon, for a reason.
+    pub(crate) fn for_ever<C>(_: ForEver<C>) -> Self {
+        Self::ForEver(Reasoned(()))
+    }
+
+    /// That there is no plan, whatever the horizon.
+    pub(crate) fn no_plan(reason: impl Into<ForEver<NoPlan>>) -> Self {
+        Self::for_ever(reason.into())
     }
 
     /// Whether it reaches beyond every horizon.

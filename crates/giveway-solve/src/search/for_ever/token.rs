@@ -1,7 +1,11 @@
 //! The token of a claim that holds whatever the horizon, and what it is made of.
 //!
 //! It is made in this file alone, each time out of a proof that only the code which
-//! proved it can make. So no claim of the search can be called complete without one.
+//! proved it can make. So no claim of the search can be called complete without one, and no
+//! proof of one claim stands for another. The claim is a type, but not the cost: an objective
+//! names its costs at run time.
+
+use std::marker::PhantomData;
 
 use super::super::{
     bound::Optimum,
@@ -13,50 +17,77 @@ use super::super::{
 };
 use crate::{freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::HopelessAlone};
 
-/// A reason why a claim holds whatever the horizon.
+/// A reason why a claim holds whatever the horizon: that there is [`NoPlan`], that costs are
+/// the [`Least`], or that a plan is the [`Closest`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ForEver(());
+pub(crate) struct ForEver<C>(PhantomData<C>);
+
+/// The claim that there is no plan within the limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoPlan {}
+/// The claim that no plan costs less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Least {}
+/// The claim that no plan within the limits is closer to a given one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Closest {}
 
 /// What the SAT solver refutes: a claim of all plans up to the deadlines that it knows.
-pub(in crate::search) trait Refutation {}
+pub(in crate::search) trait Refutation {
+    /// What follows.
+    type Claim;
+}
 
-/// Some agents cannot all arrive.
-impl Refutation for AssumptionCore {}
-/// No plan is closer to a given one.
-impl Refutation for NoneCloser {}
-/// No plan has less of a cost.
-impl Refutation for Optimum {}
+impl Refutation for AssumptionCore {
+    type Claim = NoPlan;
+}
+impl Refutation for NoneCloser {
+    type Claim = Closest;
+}
+impl Refutation for Optimum {
+    type Claim = Least;
+}
 
-impl ForEver {
+impl<C> ForEver<C> {
     /// What was refuted without the horizon holds at any.
-    pub(in crate::search) const fn refuted(_: &impl Refutation, _: NoHorizon) -> Self {
-        Self(())
+    pub(in crate::search) const fn refuted(_: &impl Refutation<Claim = C>, _: NoHorizon) -> Self {
+        Self(PhantomData)
     }
 }
 
 macro_rules! proofs {
-    ($($(#[$doc:meta])* $proof:ty),+ $(,)?) => {
-        $($(#[$doc])* impl From<$proof> for ForEver {
+    ($($(#[$doc:meta])* $proof:ty => $claim:ty),+ $(,)?) => {
+        $($(#[$doc])* impl From<$proof> for ForEver<$claim> {
             fn from(_: $proof) -> Self {
-                Self(())
+                Self(PhantomData)
             }
         })+
     };
 }
 
+/// No plan that counts arrives later than what was looked at, whatever is claimed of these.
+impl<C> From<AllInTime> for ForEver<C> {
+    fn from(_: AllInTime) -> Self {
+        Self(PhantomData)
+    }
+}
+
+/// All joint states were looked at, whatever was found among them.
+impl<C> From<AllStates> for ForEver<C> {
+    fn from(_: AllStates) -> Self {
+        Self(PhantomData)
+    }
+}
+
 proofs! {
     /// An agent cannot do its task, or meet a condition, even alone.
-    HopelessAlone,
+    HopelessAlone => NoPlan,
     /// An agent needs a cell that is closed.
-    CellNeeded,
+    CellNeeded => NoPlan,
     /// No plan meets a condition.
-    Unmeetable,
+    Unmeetable => NoPlan,
     /// What agents need alone is above a limit.
-    LimitTooLow,
+    LimitTooLow => NoPlan,
     /// What agents need alone is the bound.
-    NeededAlone,
-    /// No plan that counts arrives later than what was looked at.
-    AllInTime,
-    /// All joint states were looked at.
-    AllStates,
+    NeededAlone => Least,
 }
