@@ -361,6 +361,7 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
                 agents: Vec::new(),
                 within: None,
                 method: Method::Tunnel(1),
+                held: Vec::new(),
                 has_batteries: false,
             }),
             "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",

@@ -72,7 +72,7 @@ impl From<Stop> for Ended {
             Stop::Conflicts => Self::Conflicts,
             Stop::Work => Self::Work,
             Stop::Memory => Self::Memory,
-            Stop::Sets | Stop::LateTimes => Self::Size,
+            Stop::Sets | Stop::LateTimes | Stop::ManyWaypoints => Self::Size,
             Stop::Cancelled => Self::Cancelled,
             Stop::Contradiction => Self::Fault,
         }

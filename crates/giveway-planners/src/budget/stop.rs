@@ -21,6 +21,8 @@ pub enum Stop {
     Sets,
     /// A condition is about times that are later than those that are followed step by step.
     LateTimes,
+    /// An agent has more waypoints than can be planned for.
+    ManyWaypoints,
     /// The person asked to stop.
     Cancelled,
     /// A plan and a proved bound contradict each other: a fault of the program,
@@ -44,6 +46,7 @@ impl Stop {
                     "This asks about a time after 20,000, which is later than the search looks at step by step."
                 )
             }
+            Self::ManyWaypoints => tr!("A robot has more waypoints than can be planned for."),
             Self::Cancelled => tr!("The search was cancelled."),
             Self::Contradiction => {
                 tr!("A plan and a bound contradicted each other, which is a fault of this program.")

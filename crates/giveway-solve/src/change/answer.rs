@@ -23,6 +23,8 @@ pub struct Cause {
     pub within: Option<u32>,
     /// The method that holds them; `replan` where no plan at all would do.
     pub method: Method,
+    /// Those of the agents that block each other which are held to the method.
+    pub held: Vec<String>,
     /// Whether one of the agents that block each other has a battery.
     pub has_batteries: bool,
 }

@@ -110,32 +110,47 @@ impl Case<'_, '_> {
                     .map_err(|fault| Trouble::Held(number, fault))?
             });
         }
-        let problem = Problem::bounded(&self.snapshot.instance, bounds, &self.budget);
+        let problem = Problem::bounded(&self.snapshot.instance, bounds.clone(), &self.budget);
         problem.map_err(|error| match error {
             ProblemError::Alone(agent, reason) => {
-                Trouble::Alone(agent, self.alone(agent, freed), reason.into())
+                Trouble::Alone(agent, self.alone(agent, freed, bounds), reason.into())
             }
             ProblemError::TooManyWaypoints(agent) => Trouble::TooManyWaypoints(agent),
             ProblemError::Stopped(stop) => Trouble::Stopped(stop),
         })
     }
 
-    /// Why an agent cannot even alone.
-    fn alone(&self, number: usize, freed: &BTreeSet<usize>) -> Fault {
+    /// Why an agent cannot even alone: an obstacle on the path that it is held to, its
+    /// battery where it could without one, or nothing that has a name.
+    fn alone(&self, number: usize, freed: &BTreeSet<usize>, bounds: Vec<Bounds>) -> Fault {
         let none = |kind| Fault { kind, cell: None };
         let Some((agent, running)) = self.agent(number) else {
             return none(CauseKind::NoWay);
         };
-        if !freed.contains(&number)
+        if self.method == Method::Revise
+            && !freed.contains(&number)
             && let Some(fault) = keep::obstacle(&running.cells(), &self.terrain())
         {
             return fault;
         }
-        none(if agent.battery.is_some() {
-            CauseKind::Battery
-        } else {
-            CauseKind::NoWay
-        })
+        none(
+            if agent.battery.is_some() && self.could_without(number, bounds) {
+                CauseKind::Battery
+            } else {
+                CauseKind::NoWay
+            },
+        )
+    }
+
+    /// Whether an agent could do its task alone, if it had no battery.
+    fn could_without(&self, number: usize, bounds: Vec<Bounds>) -> bool {
+        let mut instance = self.snapshot.instance.clone();
+        instance.drop_battery(number);
+        match Problem::bounded(&instance, bounds, &self.budget) {
+            Ok(_) => true,
+            Err(ProblemError::Alone(agent, _)) => agent != number,
+            Err(ProblemError::TooManyWaypoints(_) | ProblemError::Stopped(_)) => false,
+        }
     }
 
     /// What is looked for in a problem.
@@ -155,7 +170,8 @@ impl Case<'_, '_> {
         let problem = match self.problem(freed) {
             Ok(problem) => problem,
             Err(Trouble::Stopped(stop)) => return Err(stop),
-            Err(_) => return Ok(Exists::No { within: None }), // an agent alone cannot
+            Err(Trouble::TooManyWaypoints(_)) => return Err(Stop::ManyWaypoints),
+            Err(Trouble::Alone(..) | Trouble::Held(..)) => return Ok(Exists::No { within: None }),
         };
         let bounded = self.bounded(&problem);
         let verdict = find(&problem, self.objective, &bounded, &Aim::Any, &self.budget);

@@ -150,7 +150,7 @@ fn free_fewest(
         Some(within) if !case.is_deadlocked(&before.freed)? => Some(case.snapshot.at + within),
         _ => None,
     };
-    let cause = blocked(case, &fewest.core, within);
+    let cause = blocked(case, &fewest.core, &before.freed, within);
     let fewest_within = fewest.within.map(|within| case.snapshot.at + within);
     let mut best: Option<MethodFound> = None;
     let mut stop = fewest.left;

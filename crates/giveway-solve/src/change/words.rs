@@ -14,8 +14,14 @@ pub(crate) fn cause(cause: &Cause) -> String {
         agents,
         within: _,
         method,
+        held,
         has_batteries,
     } = cause;
+    let they = if held.len() == agents.len() {
+        tr!("robots just named" => "they").to_owned()
+    } else {
+        and(held)
+    };
     let place = cell.map_or_else(
         || tr!("a place" => "there").to_owned(),
         |cell| cell.to_string(),
@@ -75,16 +81,19 @@ pub(crate) fn cause(cause: &Cause) -> String {
             )
         }
         (CauseKind::Blocked, Method::Revise) if *has_batteries => tr!(
-            "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive with what their batteries hold.",
-            robots = list(agents)
+            "{robots} block each other: as long as {they} keep to their old paths, no choice of waits lets them all arrive with what their batteries hold.",
+            robots = list(agents),
+            they
         ),
         (CauseKind::Blocked, Method::Revise) => tr!(
-            "{robots} block each other: as long as they keep to their old paths, no choice of waits lets them all arrive.",
-            robots = list(agents)
+            "{robots} block each other: as long as {they} keep to their old paths, no choice of waits lets them all arrive.",
+            robots = list(agents),
+            they
         ),
         (CauseKind::Blocked, Method::Tunnel(_)) => tr!(
-            "{robots} block each other: they cannot all stay in their tunnels.",
-            robots = list(agents)
+            "{robots} block each other: {they} cannot all stay in their tunnels.",
+            robots = list(agents),
+            they
         ),
     }
 }

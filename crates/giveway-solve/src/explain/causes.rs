@@ -87,12 +87,9 @@ impl Trials<'_> {
 fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Helps {
     let left_out = BTreeSet::from([group]);
     let variant = without(refuted.instance, &left_out, refuted.deadline);
-    match inquiry.search(&variant) {
+    match inquiry.search(&variant).reaching(&variant, refuted.reach) {
         Tried::Plan(_) => Helps::Yes,
-        // A deadline that a person set is a rule of the question itself.
-        Tried::None { reach, .. } if variant.within.is_some() || reach.covers(refuted.reach) => {
-            Helps::No
-        }
-        Tried::None { .. } | Tried::Unknown => Helps::Unknown,
+        Tried::None { .. } => Helps::No,
+        Tried::Unknown => Helps::Unknown,
     }
 }

@@ -96,7 +96,7 @@ fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> Explain
     ExplainAnswer {
         costs: report.costs,
         valid: Some(false),
-        words: words::own_plan(&judged, objective, &costs, None),
+        words: words::own_plan(&judged, objective, &costs, None, None),
         violations: Some(judged.violations),
         stats: budget.stats(),
         ..ExplainAnswer::empty(&Question::Plan)
@@ -280,7 +280,10 @@ fn solved(
     let solved = solve::solve(&task);
     if solved.answer.status == Status::Impossible {
         let misfit = Misfit::NotSo {
-            is_so: tr!("There is no plan to ask about.").to_owned(),
+            is_so: match solved.answer.reach.within() {
+                None => tr!("There is no plan to ask about.").to_owned(),
+                Some(n) => tr!("There is no plan of makespan at most {n} to ask about.", n),
+            },
             ask: Some(Question::Unsolvable),
         };
         return Err(Refusal::Question { misfit });

@@ -32,6 +32,19 @@ pub(crate) enum Tried {
     Unknown,
 }
 
+impl Tried {
+    /// The same, where "no plan" reaches as far as the claim that it is to bear out; else
+    /// nothing is known. A deadline that a person set is a rule of the question itself.
+    pub(crate) fn reaching(self, variant: &Variant, claim: Proved) -> Self {
+        match self {
+            Self::None { reach, .. } if variant.within.is_none() && !reach.covers(claim) => {
+                Self::Unknown
+            }
+            tried @ (Self::None { .. } | Self::Plan(_) | Self::Unknown) => tried,
+        }
+    }
+}
+
 /// A question to which the answer is "no plan" for the instance as it is.
 pub(crate) trait Inquiry {
     /// Looks for a plan.

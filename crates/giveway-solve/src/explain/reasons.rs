@@ -20,7 +20,7 @@ use super::{
     whole::Whole,
     words,
 };
-use crate::{Limits, Status, budget::Budget};
+use crate::{Limits, Status, budget::Budget, search::Proved};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -172,6 +172,7 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
 }
 
 fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
+    let Some(reach) = case.shown else { return };
     let asked = asked(case);
     let mut inquiry = Contrasted {
         budget: part_of(budget, REPAIRS),
@@ -182,6 +183,7 @@ fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: 
         within: case.within,
         objective: case.objective(),
         asked: &asked,
+        reach,
         cores: core.sets().map(<[Group]>::to_vec).collect(),
     };
     let found = repairs(&broken, &mut inquiry);
@@ -232,13 +234,14 @@ pub(crate) fn of_no_plan(
     answer.core = core.as_ref().map(|core| core.core(instance, deadline));
     tell_no_plan(answer, whole, Part::Core, tell);
 
-    if let Some(core) = &core {
+    if let Some((core, reach)) = core.as_ref().zip(found.reach) {
         let mut any_plan = searching(REPAIRS);
         let broken = Broken {
             instance,
             within,
             objective: instance.objective(),
             asked: &[],
+            reach,
             cores: core.sets().map(<[Group]>::to_vec).collect(),
         };
         let found = repairs(&broken, &mut any_plan);
@@ -272,7 +275,10 @@ pub(crate) fn of_own_plan(
     let judged: Judged = judge(instance, plan, objective, within, whole, budget);
     let costs_of = |plan: &Plan| whole.costs_of(instance, plan).unwrap_or_default();
     let better = judged.better.as_ref().map(|(better, _)| costs_of(better));
-    answer.words = words::own_plan(&judged, objective, &costs_of(plan), better.as_ref());
+    let reach = judged.found.as_ref().and_then(|found| found.reach);
+    let latest = reach.and_then(Proved::within).map(|time| whole.time(time));
+    let costs = costs_of(plan);
+    answer.words = words::own_plan(&judged, objective, &costs, better.as_ref(), latest);
     answer.valid = Some(judged.violations.is_empty());
     answer.optimal = judged.optimal;
     answer.violations = Some(judged.violations);

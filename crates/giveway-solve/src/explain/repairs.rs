@@ -24,6 +24,7 @@ use super::{
     group_mus::{Inquiry, Tried},
     words,
 };
+use crate::search::Proved;
 use candidate::{Candidate, candidates};
 use order::{first_of_each_kind, rank};
 
@@ -49,6 +50,8 @@ pub(crate) struct Broken<'a> {
     pub(crate) objective: &'a Objective,
     /// Agents that are never left out.
     pub(crate) asked: &'a [usize],
+    /// How far it is proved that there is none.
+    pub(crate) reach: Proved,
     /// Sets of facts that exclude a plan, one at least.
     pub(crate) cores: Vec<Vec<Group>>,
 }
@@ -176,7 +179,7 @@ impl RepairSearch<'_> {
         if matches!(tried, Tried::Unknown) {
             tried = self.solver.search_longer(&variant);
         }
-        match tried {
+        match tried.reaching(&variant, self.broken.reach) {
             Tried::Plan(_) => Some(true),
             Tried::None { .. } => Some(false),
             Tried::Unknown => {

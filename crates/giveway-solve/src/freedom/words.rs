@@ -169,12 +169,13 @@ pub fn later(slack: &Slack) -> String {
 pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
     let cell = it.cell;
     match &it.closed {
-        Closed::Impossible { needed, .. } => {
-            let needed = match needed {
-                None => tr!("no plan is left"),
-                Some(Need::Start) => tr!("a robot starts there"),
-                Some(Need::Goal) => tr!("a robot has to arrive there"),
-                Some(Need::Waypoint) => tr!("a robot has to visit it"),
+        Closed::Impossible { needed, reach } => {
+            let needed = match (needed, reach.within()) {
+                (None, None) => tr!("no plan is left").to_owned(),
+                (None, Some(n)) => tr!("no plan of makespan at most {n} is left", n),
+                (Some(Need::Start), _) => tr!("a robot starts there").to_owned(),
+                (Some(Need::Goal), _) => tr!("a robot has to arrive there").to_owned(),
+                (Some(Need::Waypoint), _) => tr!("a robot has to visit it").to_owned(),
             };
             tr!("Close {cell}: {outcome}", cell, outcome = needed)
         }
@@ -252,5 +253,36 @@ pub fn farthest(farthest: &Farthest) -> String {
                 )
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_model::format::native;
+
+    use super::*;
+    use crate::{Request, Response, SilentHost, freedom::FreedomRequest, serve};
+
+    #[test]
+    fn no_plan_is_left_up_to_the_horizon() {
+        let scene = r##"{ "giveway": 1, "map": ["...", ".#.", ".#.", "..."],
+            "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"##;
+        let request = FreedomRequest {
+            scene: native::read_scene(scene).unwrap(),
+            within: Some(5),
+            ..FreedomRequest::default()
+        };
+        let Response::Freedom(answer) = serve(&Request::Freedom(request), &SilentHost) else {
+            panic!("a plan of two steps");
+        };
+        let cells = answer.critical.unwrap();
+        let middle = cells
+            .iter()
+            .find(|it| it.cell == giveway_model::Cell::new(1, 0))
+            .unwrap();
+        assert_eq!(
+            closed(middle, &answer.objective),
+            "Close (1, 0): no plan of makespan at most 5 is left"
+        );
     }
 }

@@ -33,6 +33,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 agents: Vec::new(),
                 within: None,
                 method: Method::Replan,
+                held: Vec::new(),
                 has_batteries: false,
             };
             let reach = Proved::no_plan(reason);
@@ -99,7 +100,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let reach = Reach::from(judged.reach).later(case.snapshot.at);
     let clash = &found.verdict.clash;
     let cause = match status {
-        Status::Impossible => Some(blocked(case, clash, reach.within())),
+        Status::Impossible => Some(blocked(case, clash, &found.freed, reach.within())),
         _ => found.cause.clone(),
     };
     let reason = match (stop, &cause) {

@@ -1,5 +1,7 @@
 //! Why a method leaves no plan, or why agents had to be freed.
 
+use std::collections::BTreeSet;
+
 use giveway_model::Cell;
 
 use crate::change::{Cause, CauseKind, freed::Case, keep::Fault};
@@ -13,13 +15,19 @@ pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause
         agents: Vec::new(),
         within: None,
         method: case.method,
+        held: Vec::new(),
         has_batteries: false,
     }
 }
 
 /// Agents that block each other, and where the first of them first meets
 /// another of them if nobody waits.
-pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>) -> Cause {
+pub(super) fn blocked(
+    case: &Case<'_, '_>,
+    agents: &[usize],
+    freed: &BTreeSet<usize>,
+    within: Option<u32>,
+) -> Cause {
     let names: Vec<String> = agents.iter().map(|&it| case.name(it).to_owned()).collect();
     let paths = agents
         .iter()
@@ -30,6 +38,9 @@ pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>
         first.iter().find(met).copied()
     });
     let agent = names.first().cloned().unwrap_or_default();
+    let held = case.held(freed).into_iter();
+    let held = held.filter(|it| agents.contains(it));
+    let held = held.map(|it| case.name(it).to_owned()).collect();
     let has_batteries = agents
         .iter()
         .filter_map(|&agent| case.agent(agent))
@@ -41,6 +52,7 @@ pub(super) fn blocked(case: &Case<'_, '_>, agents: &[usize], within: Option<u32>
         agents: names,
         within,
         method: case.method,
+        held,
         has_batteries,
     }
 }

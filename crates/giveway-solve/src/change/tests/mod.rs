@@ -1,4 +1,5 @@
 //! How plans go on around which the world changes.
 
+mod causes;
 mod example;
 mod fewest;

@@ -44,6 +44,8 @@ pub(super) struct Shrinking<'a> {
     kept: BTreeSet<Group>,
     /// Plans that some variant had.
     plans: Vec<Plan>,
+    /// How far the whole instance is refuted: no set is smaller because it reaches less far.
+    claim: Proved,
     /// How far the last refutation reaches.
     reach: Proved,
 }
@@ -57,6 +59,7 @@ impl<'a> Shrinking<'a> {
             left_out: BTreeSet::new(),
             kept: BTreeSet::new(),
             plans: Vec::new(),
+            claim: refuted.reach,
             reach: refuted.reach,
         }
     }
@@ -179,6 +182,7 @@ impl<'a> Shrinking<'a> {
             return Tried::Plan(plan);
         }
         let tried = self.inquiry.search(&variant);
+        let tried = tried.reaching(&variant, self.claim);
         if let Tried::Plan(plan) = &tried {
             self.plans.push(plan.clone());
         }

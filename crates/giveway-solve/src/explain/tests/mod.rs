@@ -9,6 +9,7 @@ mod further;
 mod half_way;
 mod late;
 mod own_plan;
+mod reach;
 mod repairs;
 mod rest;
 mod unsolvable;

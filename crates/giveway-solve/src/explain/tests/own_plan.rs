@@ -22,7 +22,7 @@ fn judged(instance: &Instance, plan: &Plan) -> (Judged, String) {
     let judged = judge(instance, plan, instance.objective(), None, whole, &budget);
     let costs = judged.costs.unwrap_or_default();
     let better = judged.better.as_ref().map(|(_, costs)| costs);
-    let words = own_plan(&judged, instance.objective(), &costs, better);
+    let words = own_plan(&judged, instance.objective(), &costs, better, None);
     (judged, words)
 }
 

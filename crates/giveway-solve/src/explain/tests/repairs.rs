@@ -50,6 +50,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             within: None,
             objective: instance.objective(),
             asked: &[],
+            reach: crate::search::Proved::Within(20),
             cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
         };
         let found = repairs(&broken, &mut Finds { proves });

@@ -67,21 +67,21 @@ const fn is_single(core: &Core) -> bool {
 }
 
 /// What is claimed of a set: that it suffices, whether each of its facts is needed
-/// for that, and which of them help when they alone are left out. The start and the goal
-/// of the agent of the question are never left out: they are named where there is one.
+/// for that, and which of them help when they alone are left out. The task of the
+/// agent of the question is never left out: it is named where there is one.
 pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String {
     let set = match (core.minimal, is_single(core), question.agent()) {
         (false, _, _) => tr!("Some of these may not be needed.").to_owned(),
         (true, true, None) => tr!("This fact alone rules it out.").to_owned(),
         (true, true, Some(agent)) => tr!(
-            "Given the start and goal of {agent}, this fact alone rules it out.",
+            "Given the task of {agent}, this fact alone rules it out.",
             agent
         ),
         (true, false, None) => {
             tr!("These facts alone rule it out, and each of them is needed for that.").to_owned()
         }
         (true, false, Some(agent)) => tr!(
-            "Given the start and goal of {agent}, these facts alone rule it out, and each of them is needed for that.",
+            "Given the task of {agent}, these facts alone rule it out, and each of them is needed for that.",
             agent
         ),
     };

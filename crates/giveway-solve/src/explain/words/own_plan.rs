@@ -11,20 +11,28 @@ const MOST: usize = 3;
 
 /// A judgement in words.
 ///
-/// The costs of the plan and of the better one are those of the whole.
+/// The costs of the plan and of the better one are those of the whole; `within` is the
+/// makespan up to which no plan is better, `None` for any.
 pub(crate) fn own_plan(
     judged: &Judged,
     objective: &Objective,
     costs: &Costs,
     least: Option<&Costs>,
+    within: Option<u32>,
 ) -> String {
     if let Some(broken) = broken(judged) {
         return broken;
     }
-    match (least, judged.optimal) {
-        (Some(least), _) => better(judged, objective, least, costs),
-        (None, Some(true)) => tr!("The plan keeps all rules, and no plan is better.").to_owned(),
-        (None, _) => tr!(
+    match (least, judged.optimal, within) {
+        (Some(least), ..) => better(judged, objective, least, costs),
+        (None, Some(true), None) => {
+            tr!("The plan keeps all rules, and no plan is better.").to_owned()
+        }
+        (None, Some(true), Some(n)) => tr!(
+            "The plan keeps all rules, and no plan of makespan at most {n} is better.",
+            n
+        ),
+        (None, ..) => tr!(
             "The plan keeps all rules. The search ended before it was known whether \
                       there is a better one."
         )

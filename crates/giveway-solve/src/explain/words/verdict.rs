@@ -130,11 +130,19 @@ fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
 
 fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String {
     let instead = in_costs(telling.objective, now, before);
-    tr!(
-        "There is a plan in which {does}, but the best one has {instead}.",
-        does,
-        instead
-    )
+    match telling.within {
+        None => tr!(
+            "There is a plan in which {does}, but the best one has {instead}.",
+            does,
+            instead
+        ),
+        Some(n) => tr!(
+            "There is a plan in which {does}, but the best one of makespan at most {n} has {instead}.",
+            does,
+            n,
+            instead
+        ),
+    }
 }
 
 /// The first repair; where it leaves robots out, beside the first that does not.
