@@ -82,7 +82,7 @@ fn a_file_without_orders_asks_for_goals() {
         [
             "The file has no orders: every robot's goal is its start. Give them goals.",
             "Not kept as such: 8 shelves.",
-            "The file leaves goals or tasks open. Whatever is called the best is the best for those that were chosen here."
+            "The file leaves goals or tasks open. Whatever is said here is said for those that were chosen."
         ]
     );
 }
