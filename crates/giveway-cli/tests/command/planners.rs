@@ -130,6 +130,7 @@ fn an_order_that_does_not_work_is_no_proof() {
     let ended = json!({
         "how": "no-order-works",
         "tried": 1,
+        "within": 37,
         "stuck": { "agent": "A1", "around": ["A2"] }
     });
     assert_eq!((exit, &answer["ended"]), (Some(3), &ended));
