@@ -354,7 +354,7 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
             "A1 kann die Aufgabe nicht einmal allein erfüllen.",
         ),
         (
-            Reason::Cause(Cause {
+            Reason::Cause(Box::new(Cause {
                 agent: "A1".into(),
                 kind: CauseKind::Goal,
                 cell: Some(Cell::new(3, 1)),
@@ -363,7 +363,7 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
                 method: Method::Tunnel(1),
                 held: Vec::new(),
                 has_batteries: false,
-            }),
+            })),
             "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
         ),
     ] {

@@ -161,7 +161,10 @@ fn a_rest_that_is_none_gives_no_energy_back() {
         assert_eq!(found.result.status, Status::Impossible, "{method}");
         let cause = found.cause.as_ref().unwrap();
         assert_eq!(cause.agent, "A");
-        assert_eq!(found.result.reason, Some(Reason::Cause(cause.clone())));
+        assert_eq!(
+            found.result.reason,
+            Some(Reason::Cause(Box::new(cause.clone())))
+        );
     }
 }
 

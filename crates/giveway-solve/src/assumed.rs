@@ -120,7 +120,9 @@ pub(crate) fn weaken_solved(
             (answer.plan, answer.costs) = (None, None);
             answer.status = Status::Unknown;
             meeting.map_or(Reason::Stopped(Stop::Contradiction), |meeting| {
-                Reason::BestMeetsMoving { meeting }
+                Reason::BestMeetsMoving {
+                    meeting: Box::new(meeting),
+                }
             })
         };
         end(answer, reason);

@@ -37,7 +37,7 @@ pub enum Reason {
         agents: Vec<String>,
     },
     /// A method cannot go on after a change.
-    Cause(Cause),
+    Cause(Box<Cause>),
     /// What happened before a change takes longer than the horizon.
     PastTooLong,
     /// A planner that looks one step ahead made all its steps.
@@ -65,7 +65,7 @@ pub enum Reason {
     /// The best plan without the obstacles that move meets one.
     BestMeetsMoving {
         /// Their first meeting.
-        meeting: MovingMeeting,
+        meeting: Box<MovingMeeting>,
     },
     /// A better plan was found that meets an obstacle that moves.
     BetterMeetsMoving,

@@ -44,7 +44,7 @@ pub fn first_meeting(instance: &Instance, plan: &Plan) -> Option<MovingMeeting> 
     let walks = Walk::all(instance, plan);
     let mut met: Vec<(usize, MovingMeeting)> = Vec::new();
     meetings(instance, &walks, |walk, meeting| {
-        met.push((walk.index, meeting))
+        met.push((walk.index, meeting));
     });
     let first = met
         .into_iter()
@@ -74,7 +74,7 @@ fn meetings(
         if let Assumption::MovingObstacle { name, path } = assumption {
             for walk in walks {
                 meet(instance, walk, (name, path), &mut |meeting| {
-                    met(walk, meeting)
+                    met(walk, meeting);
                 });
             }
         }
@@ -128,14 +128,14 @@ fn meet(
     }
 }
 
+/// Where something is at a time.
+type CellAt<'a> = dyn Fn(usize) -> Option<Cell> + 'a;
+
 /// An agent half way along a slow edge, which an obstacle crosses the other way in one of the
 /// two steps.
 fn half_way(
     time: usize,
-    (at, obstacle): (
-        &dyn Fn(usize) -> Option<Cell>,
-        &dyn Fn(usize) -> Option<Cell>,
-    ),
+    (at, obstacle): (&CellAt, &CellAt),
     met: &mut dyn FnMut(usize, Cell, Cell),
 ) {
     let Some(begin) = time.checked_sub(1) else {

@@ -6,7 +6,7 @@ use giveway_model::{Plan, Question, Scene};
 use crate::{
     Reason, Request, Response, SilentHost, Status,
     change::{ChangeRequest, Method},
-    explain::ExplainRequest,
+    explain::{Core, ExplainRequest},
     freedom::FreedomRequest,
     plan::{PlanEnd, PlanRequest, Planner},
     serve,
@@ -20,7 +20,7 @@ const OTHERS: [&str; 3] = [
 
 fn scene(map: &str, agents: &str, assumption: &str) -> Scene {
     let text = format!(
-        r##"{{ "giveway": 1, "map": {map}, "agents": {agents}, "assumptions": [{assumption}] }}"##
+        r#"{{ "giveway": 1, "map": {map}, "agents": {agents}, "assumptions": [{assumption}] }}"#
     );
     native::read_scene(&text).unwrap()
 }
@@ -32,7 +32,7 @@ fn open(assumption: &str) -> Scene {
 
 fn walled(assumption: &str) -> Scene {
     let agents = r#"[{ "name": "A1", "start": [0, 0], "goal": [2, 0] }]"#;
-    scene(r##"[".#."]"##, agents, assumption)
+    scene(r#"[".#."]"#, agents, assumption)
 }
 
 fn plan(path: &str) -> Plan {
@@ -61,7 +61,7 @@ fn questions_and_best_plans_claim_nothing_for_every_horizon() {
                 panic!("{assumption}");
             };
             assert!(!answer.reach.is_complete(), "{assumption}");
-            let mut sets = answer.core.iter().flat_map(|core| core.sets());
+            let mut sets = answer.core.iter().flat_map(Core::sets);
             assert!(sets.all(|core| !core.reach.is_complete()), "{assumption}");
         }
         let request = Request::Freedom(FreedomRequest {

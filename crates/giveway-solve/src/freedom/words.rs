@@ -265,8 +265,8 @@ mod tests {
 
     #[test]
     fn no_plan_is_left_up_to_the_horizon() {
-        let scene = r##"{ "giveway": 1, "map": ["...", ".#.", ".#.", "..."],
-            "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"##;
+        let scene = r#"{ "giveway": 1, "map": ["...", ".#.", ".#.", "..."],
+            "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#;
         let request = FreedomRequest {
             scene: native::read_scene(scene).unwrap(),
             within: Some(5),

@@ -41,7 +41,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
                 Status::Impossible,
                 Some(reach),
                 Ended::Proof,
-                Reason::Cause(cause.clone()),
+                Reason::Cause(Box::new(cause.clone())),
                 Some(cause),
             )
         }
@@ -105,7 +105,9 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
     };
     let reason = match (stop, &cause) {
         (Some(stop), _) => Some(stop.into()),
-        (None, Some(cause)) if status == Status::Impossible => Some(Reason::Cause(cause.clone())),
+        (None, Some(cause)) if status == Status::Impossible => {
+            Some(Reason::Cause(Box::new(cause.clone())))
+        }
         _ => None,
     };
     let comparison = plan.as_ref().map(|(plan, _)| compare(case.snapshot, plan));

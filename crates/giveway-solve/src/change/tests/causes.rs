@@ -34,8 +34,8 @@ fn changed(
 
 #[test]
 fn a_battery_is_the_cause_where_the_robot_could_without_one() {
-    let scene = r##"{ "giveway": 1, "map": ["...#.", "...##"], "agents": [{ "name": "A1",
-        "start": [0, 0], "goal": [2, 0], "battery": { "capacity": 50, "initial": 50 } }] }"##;
+    let scene = r#"{ "giveway": 1, "map": ["...#.", "...##"], "agents": [{ "name": "A1",
+        "start": [0, 0], "goal": [2, 0], "battery": { "capacity": 50, "initial": 50 } }] }"#;
     let walled = r#"{ "at": 1, "change": "set-goal", "agent": "A1", "cell": [4, 0] }"#;
     let path = r#"{ "A1": [[0, 0], [1, 0], [2, 0]] }"#;
     let answer = changed(scene, path, walled, (Method::Replan, None));
@@ -73,7 +73,7 @@ fn only_old_robots_keep_to_their_old_paths() {
     let answer = changed(scene, paths, joins, (Method::Revise, None));
     let cause = answer.cause.unwrap();
     assert!(!cause.held.contains(&"C".to_owned()), "{cause:?}");
-    let said = words::reason(&Reason::Cause(cause));
+    let said = words::reason(&Reason::Cause(Box::new(cause)));
     assert!(!said.contains("they keep"), "{said}");
 }
 

@@ -4,7 +4,7 @@ use giveway_model::{Question, format::native};
 
 use crate::{
     Limits, Request, Response, SilentHost,
-    explain::{ExplainAnswer, ExplainRequest, facts_claim},
+    explain::{Core, ExplainAnswer, ExplainRequest, facts_claim},
     serve,
 };
 
@@ -44,7 +44,7 @@ const CORRIDOR: &str = r#"{ "giveway": 1, "map": ["...........", "XXXXXXXXXX.", 
 fn no_fact_is_left_out_of_a_set_on_the_word_of_a_horizon() {
     let answer = answer(CORRIDOR, Question::Unsolvable, None);
     assert!(answer.reach.is_complete());
-    for core in answer.core.iter().flat_map(|core| core.sets()) {
+    for core in answer.core.iter().flat_map(Core::sets) {
         assert!(core.reach.is_complete(), "{core:?}");
     }
 }
@@ -68,8 +68,8 @@ fn a_battery_is_the_least_where_less_is_ruled_out_as_far_as_the_answer() {
 
 #[test]
 fn a_plan_is_the_best_and_there_is_none_to_ask_about_within_a_makespan() {
-    let detour = r##"{ "giveway": 1, "map": ["...", ".#.", ".#.", "..."],
-        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"##;
+    let detour = r#"{ "giveway": 1, "map": ["...", ".#.", ".#.", "..."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] }] }"#;
     let Response::Refused(refusal) = explained(detour, Question::Plan, Some(1)) else {
         panic!("a plan of one step");
     };
