@@ -155,7 +155,10 @@ impl TryFrom<Written> for Reach {
 ///
 /// # Errors
 /// Those of the serializer.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "the signature of serde")]
+#[cfg_attr(
+    target_pointer_width = "64",
+    expect(clippy::trivially_copy_pass_by_ref, reason = "the signature of serde")
+)]
 pub(crate) fn within_alone<S: Serializer>(reach: &Reach, to: S) -> Result<S::Ok, S::Error> {
     Serialize::serialize(&reach.within(), to)
 }
