@@ -3,7 +3,7 @@
 //! The search looks at plans up to a horizon. A claim goes beyond it only where
 //! one of these arguments carries it: a refutation that no cap of the horizon
 //! was part of ([`NoHorizon`](super::deadlines::NoHorizon)), a bound on time that every
-//! better plan keeps ([`AllInTime`](super::horizon::AllInTime)), what agents need
+//! better plan keeps ([`AllInTime`]), what agents need
 //! alone ([`NeededAlone`](super::minima::NeededAlone), [`LimitTooLow`]), or joint
 //! states that are exhausted ([`AllStates`](crate::joint::AllStates)). Each is a
 //! value that only its proof makes; [`ForEver`] is made of these ([`token`]).
