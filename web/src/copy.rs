@@ -1,6 +1,6 @@
 //! Text to the clipboard.
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::Notice;
 use wasm_bindgen_futures::JsFuture;
 use yew::platform::spawn_local;
@@ -15,10 +15,7 @@ pub(crate) fn text(
     done: impl FnOnce(Result<(), Notice>) + 'static,
 ) {
     let refused = move |why: &str| {
-        Notice::refusal(
-            tr!("The {what} could not be copied.", what),
-            vec![why.to_owned()],
-        )
+        Notice::refusal(tr_data!("The {what} could not be copied.", what)).with([why.to_owned()])
     };
     let Some(clipboard) = support::clipboard("writeText") else {
         done(Err(refused(tr!(

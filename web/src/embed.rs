@@ -58,7 +58,7 @@ fn refused(notice: &Notice) -> Html {
     html! {
         <div class="refused" role="alert">
             <p><b>{ tr!("This scene cannot be shown.") }</b></p>
-            { for notice.details.iter().map(|line| html! { <p>{ line }</p> }) }
+            { for notice.details().into_iter().map(|line| html! { <p>{ line }</p> }) }
             <p><a href={page} target="_blank" rel="noopener">{ tr!("Open Giveway") }</a></p>
         </div>
     }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
@@ -136,10 +136,11 @@ async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
     for file in files {
         let name = file.name();
         let bytes = read_as_bytes(file).await.map_err(|error| {
-            Notice::refusal(
-                tr!("{name} cannot be read; the scene stays as it is.", name),
-                vec![error.to_string()],
-            )
+            Notice::refusal(tr_data!(
+                "{name} cannot be read; the scene stays as it is.",
+                name = &name
+            ))
+            .with([error.to_string()])
         })?;
         opened.push(Opened { name, bytes });
     }
@@ -173,10 +174,9 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         };
         match blob.await {
             Ok(blob) => save_as(&name, blob),
-            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice::refusal(
-                tr!("The browser could not make the picture."),
-                Vec::new(),
-            )))),
+            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice::refusal(tr_data!(
+                "The browser could not make the picture."
+            ))))),
         }
     });
 }

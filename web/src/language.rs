@@ -5,8 +5,8 @@
 
 use std::cell::Cell;
 
-use giveway_model::tr;
 use giveway_model::words::{Catalogue, speak};
+use giveway_model::{tr, tr_data};
 use giveway_page::{Action, FileAction, Notice};
 use giveway_wasm::language;
 use web_sys::HtmlElement;
@@ -175,10 +175,12 @@ pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
     let send = send.clone();
     spawn_local(async move {
         if let Err(error) = turn_to(wanted()).await {
-            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
-                tr!("The language did not arrive; the page stays as it is."),
-                vec![error],
-            ))));
+            send.emit(Action::File(FileAction::Refuse(
+                Notice::refusal(tr_data!(
+                    "The language did not arrive; the page stays as it is."
+                ))
+                .with([error]),
+            )));
         }
     });
 }

@@ -27,8 +27,8 @@ fn card(notice: &Notice, send: &Callback<Action>) -> Html {
         <div class={classes!("notice", notice.kind.class())}>
             { icon::show(notice.kind.icon()) }
             <div>
-                <b>{ notice.sentence.clone() }</b>
-                <ul>{ for notice.details.iter().map(|line| html! { <li>{ said(line) }</li> }) }</ul>
+                <b>{ notice.sentence() }</b>
+                <ul>{ for notice.details().iter().map(|line| html! { <li>{ said(line) }</li> }) }</ul>
             </div>
             <button class="btn ghost round" title={tr!("Dismiss (Escape)")} onclick={dismiss}>
                 { icon::show("cancel") }<span class="vh">{ tr!("Dismiss") }</span>

@@ -1,6 +1,6 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::files::{Pasted, pasted};
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::events::{EventListener, EventListenerOptions};
@@ -69,10 +69,10 @@ fn wanted(event: &web_sys::Event) -> Option<&ClipboardEvent> {
 
 /// Asks the browser for what was copied, and opens it.
 pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) {
-    let refused = Notice::refusal(
-        tr!("The browser did not let the page read what was copied."),
-        vec![tr!("Press Ctrl V instead.").to_owned()],
-    );
+    let refused = Notice::refusal(tr_data!(
+        "The browser did not let the page read what was copied."
+    ))
+    .with([tr!("Press Ctrl V instead.").to_owned()]);
     let Some(clipboard) = support::clipboard("readText") else {
         return send.emit(Action::File(FileAction::Refuse(refused)));
     };

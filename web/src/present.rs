@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::lesson::Lesson;
 use giveway_page::present::{END, third};
 use giveway_page::{Action, FileAction, Notice, State};
@@ -32,10 +32,12 @@ pub(crate) fn use_presenting(is_presented: bool, send: &Callback<Action>) {
         let missing = move |why| {
             failures.set(number + 1);
             send.emit(END);
-            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
-                tr!("The presentation could not be loaded. Try again when the network is back."),
-                vec![why],
-            ))));
+            send.emit(Action::File(FileAction::Refuse(
+                Notice::refusal(tr_data!(
+                    "The presentation could not be loaded. Try again when the network is back."
+                ))
+                .with([why]),
+            )));
         };
         let failed = missing.clone();
         if let Err(why) = script::start(SCRIPT, number, failed) {

@@ -138,8 +138,8 @@ pub(crate) fn saved(name: &str, answer: &ExportAnswer) -> Notice {
     ));
     let sentence = tr!("{name} is saved.", name);
     if rejected > 0 {
-        Notice::refusal(sentence, details)
+        Notice::refusal(sentence).with(details)
     } else {
-        Notice::information(sentence, details)
+        Notice::information(sentence).with(details)
     }
 }

@@ -63,7 +63,7 @@ fn collect(tokens: TokenStream, path: &str, found: &mut Vec<Said>) {
             TokenTree::Group(inner),
             ..,
         ] = &tokens[i..]
-            && (name == "tr" || name == "tr_later")
+            && (name == "tr" || name == "tr_later" || name == "tr_data")
             && bang.as_char() == '!'
         {
             found.extend(read(inner.stream(), path));

@@ -8,7 +8,14 @@ use crate::source::{self, File};
 /// Names that are the same in every language.
 const NAMES: [&str; 1] = ["Giveway"];
 /// Macros and functions whose texts no person reads in another language.
-const INNER: [&str; 5] = ["tr", "tr_later", "expect", "panic", "unreachable"];
+const INNER: [&str; 6] = [
+    "tr",
+    "tr_later",
+    "tr_data",
+    "expect",
+    "panic",
+    "unreachable",
+];
 /// Attributes that a person reads or hears.
 const HEARD: [&str; 7] = [
     "title",

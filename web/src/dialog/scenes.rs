@@ -1,6 +1,6 @@
 //! The scenes that this browser keeps.
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::{Action, FileAction, Notice, link};
 use yew::prelude::*;
 
@@ -71,10 +71,9 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
             if keep::keep_scene(&state) {
                 names.set(keep::scenes());
             } else {
-                send.emit(Action::File(FileAction::Refuse(Notice::refusal(
-                    tr!("This browser has no room for the scene: save it as a file."),
-                    Vec::new(),
-                ))));
+                send.emit(Action::File(FileAction::Refuse(Notice::refusal(tr_data!(
+                    "This browser has no room for the scene: save it as a file."
+                )))));
             }
         })
     };

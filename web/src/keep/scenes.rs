@@ -1,8 +1,8 @@
 //! Scenes by name: each a whole document.
 
-use giveway_model::{sorting, tr};
+use giveway_model::{sorting, tr, tr_data};
 use giveway_page::link::{self, Kin};
-use giveway_page::{Action, FileAction, Moment, Notice, State};
+use giveway_page::{Action, FileAction, Moment, State};
 
 use super::storage;
 
@@ -61,10 +61,9 @@ pub(crate) fn scene(name: &str) -> Action {
 pub(super) fn open(text: &str) -> Action {
     Action::File(match link::kept_moment(text) {
         Ok(moment) => FileAction::Resume(Box::new(moment)),
-        Err(notice) => FileAction::Refuse(Notice {
-            sentence: tr!("The scene cannot be opened. It stays where it is.").to_owned(),
-            ..notice
-        }),
+        Err(notice) => FileAction::Refuse(notice.under(tr_data!(
+            "The scene cannot be opened. It stays where it is."
+        ))),
     })
 }
 

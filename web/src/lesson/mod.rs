@@ -2,7 +2,7 @@
 //! opened first, which lives in an element of the page. It says what the board shows,
 //! and hears what happened there (`giveway_course::port`).
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -150,12 +150,12 @@ impl Course {
     /// It could not be loaded: the next press tries again.
     fn missing(&self, why: String) {
         self.0.stage.set(Stage::Absent);
-        self.0
-            .send
-            .emit(Action::File(FileAction::Refuse(Notice::refusal(
-                tr!("The course could not be loaded. Try again when the network is back."),
-                vec![why],
-            ))));
+        self.0.send.emit(Action::File(FileAction::Refuse(
+            Notice::refusal(tr_data!(
+                "The course could not be loaded. Try again when the network is back."
+            ))
+            .with([why]),
+        )));
     }
 
     fn listen(&self) {

@@ -9,7 +9,7 @@ mod protocol;
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_model::tr;
+use giveway_model::{tr, tr_data};
 use giveway_page::{Action, FileAction, Notice, Work, WorkerAction, link};
 use giveway_solve::Progress;
 use giveway_wasm::protocol::Ask;
@@ -125,10 +125,12 @@ impl Solver {
         let send = self.0.send.clone();
         // Not while the page is being built, and in the place of what is told of the run.
         Timeout::new(0, move || {
-            send.emit(Action::File(FileAction::Refuse(Notice::refusal(
-                tr!("Plans can be looked at here, but nothing can be solved."),
-                alone(why),
-            ))));
+            send.emit(Action::File(FileAction::Refuse(
+                Notice::refusal(tr_data!(
+                    "Plans can be looked at here, but nothing can be solved."
+                ))
+                .with(alone(why)),
+            )));
         })
         .forget();
     }

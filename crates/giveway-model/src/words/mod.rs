@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod po;
+mod sentence;
 mod tr;
 
 use std::fmt::Display;
@@ -12,6 +13,7 @@ use crate::{Cost, Costs, tr};
 
 pub use catalogue::{Catalogue, PluralRule, in_english, speak};
 pub use po::{Message, NoCatalogue, read as messages};
+pub use sentence::Sentence;
 pub use tr::{Later, found, retold, translated};
 #[doc(hidden)]
 pub use tr::{checked, checked_forms, fill, fill_counted, number, text};

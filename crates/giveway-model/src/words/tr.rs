@@ -105,6 +105,10 @@ impl Later {
         Self(key)
     }
 
+    pub(super) const fn key(self) -> &'static str {
+        self.0
+    }
+
     /// The text in the language that is spoken.
     pub fn text(self) -> &'static str {
         text(self.0)

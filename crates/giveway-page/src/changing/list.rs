@@ -1,6 +1,7 @@
 //! The list of changes with one more, or one less: as far as the world allows it.
 
 use giveway_model::change::What;
+use giveway_model::words::Sentence;
 
 use super::{Changing, facts, listed};
 use crate::edit::{Edit, world};
@@ -8,7 +9,7 @@ use crate::edit::{Edit, world};
 impl Changing {
     /// The list with what edits ask for, as far as the world allows it; with why
     /// a part of it was refused.
-    pub(crate) fn with_edits(&self, edits: &[Edit]) -> (Self, Option<String>) {
+    pub(crate) fn with_edits(&self, edits: &[Edit]) -> (Self, Option<Sentence>) {
         let mut refused = None;
         let mut parts = Vec::new();
         for edit in edits {
@@ -37,7 +38,9 @@ impl Changing {
             match after.with(list) {
                 Ok(next) => after = next,
                 Err(faults) => {
-                    refused = refused.or(faults.first().map(facts::contradiction));
+                    refused = refused.or(faults
+                        .first()
+                        .map(|fault| facts::contradiction(fault).into()));
                 }
             }
         }

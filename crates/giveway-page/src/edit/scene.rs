@@ -1,6 +1,7 @@
 //! Edits made of the scene as it is now.
 
-use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene, tr};
+use giveway_model::words::Sentence;
+use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene, tr_data};
 
 use super::{Edit, Paint, Sketch};
 use crate::MAX_SIDE;
@@ -15,16 +16,20 @@ impl Sketch {
     ///
     /// # Errors
     /// Why it cannot be, as a sentence; the sketch is then as it was.
-    pub(crate) fn make(&mut self, edit: &Edit) -> Result<(), String> {
+    pub(crate) fn make(&mut self, edit: &Edit) -> Result<(), Sentence> {
         match edit {
             Edit::Paint(paint, cell, on) => return self.paint(*paint, *cell, *on),
             Edit::Erase(cell) => self.erase(*cell),
             Edit::MovePaint(paint, from, to) => return self.move_paint(*paint, *from, *to),
 
             Edit::AddAgent(agent) => {
-                self.stand(&agent.name, agent.start, tr!("a robot cannot" => "start"))?;
+                self.stand(
+                    &agent.name,
+                    agent.start,
+                    tr_data!("a robot cannot" => "start"),
+                )?;
                 if let Some(goal) = agent.goal {
-                    self.stand(&agent.name, goal, tr!("a robot cannot" => "end"))?;
+                    self.stand(&agent.name, goal, tr_data!("a robot cannot" => "end"))?;
                 }
                 self.scene.agents.push(agent.clone());
             }
@@ -35,17 +40,21 @@ impl Sketch {
             }
             Edit::SetStart(agent, to) => {
                 let name = self.name(*agent);
-                self.stand(&name, *to, tr!("a robot cannot" => "start"))?;
+                self.stand(&name, *to, tr_data!("a robot cannot" => "start"))?;
                 self.agent(*agent, |a| a.start = *to);
             }
             Edit::SetGoal(agent, to) => {
                 let name = self.name(*agent);
-                self.stand(&name, *to, tr!("a robot cannot" => "end"))?;
+                self.stand(&name, *to, tr_data!("a robot cannot" => "end"))?;
                 self.agent(*agent, |a| a.goal = Some(*to));
             }
             Edit::AddWaypoint(agent, cell) => {
                 let name = self.name(*agent);
-                self.stand(&name, *cell, tr!("a robot cannot" => "have a waypoint"))?;
+                self.stand(
+                    &name,
+                    *cell,
+                    tr_data!("a robot cannot" => "have a waypoint"),
+                )?;
                 self.agent(*agent, |a| {
                     if !a.waypoints.contains(cell) {
                         a.waypoints.push(*cell);
@@ -57,7 +66,7 @@ impl Sketch {
             }),
             Edit::MoveWaypoint(agent, from, to) => {
                 let name = self.name(*agent);
-                self.stand(&name, *to, tr!("a robot cannot" => "have a waypoint"))?;
+                self.stand(&name, *to, tr_data!("a robot cannot" => "have a waypoint"))?;
                 self.agent(*agent, |a| {
                     if !a.waypoints.contains(to) {
                         let moved = a.waypoints.iter_mut().filter(|w| *w == from);
@@ -76,7 +85,7 @@ impl Sketch {
                     battery.initial = (*level).min(battery.capacity);
                 }
             }),
-            Edit::Delay(..) => return Err(tr!("A delay needs a plan that runs.").to_owned()),
+            Edit::Delay(..) => return Err(tr_data!("A delay needs a plan that runs.")),
             Edit::Rename(agent, name) => {
                 let name = short(name);
                 if !name.is_empty() {
@@ -113,21 +122,21 @@ impl Sketch {
 
     /// Whether an agent can have something on a cell: none where there is an
     /// obstacle.
-    fn stand(&self, name: &str, at: Cell, what: &str) -> Result<(), String> {
+    fn stand(&self, name: &str, at: Cell, what: Sentence) -> Result<(), Sentence> {
         match self.ground(at) {
-            Some(Ground::Obstacle) => Err(tr!(
+            Some(Ground::Obstacle) => Err(tr_data!(
                 "{name} cannot {what} at {place}: there is an obstacle.",
                 name,
                 what,
                 place = place(at)
             )),
             Some(_) => Ok(()),
-            None => Err(tr!("{place} is not on the map.", place = place(at))),
+            None => Err(tr_data!("{place} is not on the map.", place = place(at))),
         }
     }
 
     /// Paints a cell. What an agent needs is kept free of obstacles.
-    fn paint(&mut self, paint: Paint, at: Cell, on: bool) -> Result<(), String> {
+    fn paint(&mut self, paint: Paint, at: Cell, on: bool) -> Result<(), Sentence> {
         let Some(old) = self.ground(at) else {
             return Ok(());
         };
@@ -136,7 +145,7 @@ impl Sketch {
             && old != new
             && let Some((name, why)) = self.needed_by(at)
         {
-            return Err(tr!(
+            return Err(tr_data!(
                 "{name} {why} at {place}: no obstacle fits there.",
                 name,
                 why,
@@ -147,7 +156,7 @@ impl Sketch {
         Ok(())
     }
 
-    fn move_paint(&mut self, paint: Paint, from: Cell, to: Cell) -> Result<(), String> {
+    fn move_paint(&mut self, paint: Paint, from: Cell, to: Cell) -> Result<(), Sentence> {
         let (Some(old), Some(new)) = (self.ground(from), self.ground(to)) else {
             return Ok(());
         };
@@ -155,7 +164,10 @@ impl Sketch {
             return Ok(());
         }
         if new == Ground::Obstacle && paint != Paint::Obstacle {
-            return Err(tr!("There is an obstacle at {place}.", place = place(to)));
+            return Err(tr_data!(
+                "There is an obstacle at {place}.",
+                place = place(to)
+            ));
         }
         self.paint(paint, to, true)?;
         self.grid.set_ground(from, paint.painted(old, false));

@@ -1,7 +1,8 @@
 //! Edits made of the world from a time on, while a plan runs.
 
 use giveway_model::change::What;
-use giveway_model::{Cell, Ground, tr};
+use giveway_model::words::Sentence;
+use giveway_model::{Cell, Ground, tr_data};
 
 use super::{Edit, Paint};
 use crate::Draft;
@@ -11,7 +12,7 @@ use crate::Draft;
 ///
 /// # Errors
 /// That the world cannot change so, as a sentence.
-pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, String> {
+pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence> {
     let name = |agent: usize| {
         let agent = world.agents().get(agent);
         agent.map_or_else(String::new, |agent| agent.name.clone())
@@ -71,7 +72,9 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, String> {
             steps: *steps,
         },
         Edit::SetStart(..) => {
-            return Err(tr!("Where a robot started is settled while its plan runs.").to_owned());
+            return Err(tr_data!(
+                "Where a robot started is settled while its plan runs."
+            ));
         }
         Edit::SetBattery(_, None)
         | Edit::Rename(..)
@@ -82,7 +85,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, String> {
         | Edit::Objective(_)
         | Edit::AtGoal(_)
         | Edit::BatteryFloor(_) => {
-            return Err(tr!("This cannot change while a plan runs.").to_owned());
+            return Err(tr_data!("This cannot change while a plan runs."));
         }
         Edit::Within(_) | Edit::Recolour(..) => return Ok(Vec::new()),
     };

@@ -1,7 +1,7 @@
 //! Files that are opened by the page itself, some of which need what is on the board: a
 //! scenario alone is used with its map.
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 
 use super::{Kind, Opened, Reading, read_here, scenario, text};
 use crate::{Notice, State, intake};
@@ -49,7 +49,7 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
         return read_here(files);
     }
     let grid = state.document.draft.grid().clone();
-    let size = tr!(
+    let size = tr_data!(
         "the map on the board is {width} x {height}",
         width = grid.width(),
         height = grid.height()
@@ -57,9 +57,7 @@ pub fn read_beside(state: &State, files: &[Opened]) -> Option<Result<Reading, No
     let read = scenario::on(grid, (file, &content)).map_err(|unfit| {
         // What is wrong with the file itself is told as such.
         let alone = read_here(files).and_then(Result::err);
-        let mut alone = alone.unwrap_or(unfit);
-        alone.details.push(size);
-        alone
+        alone.unwrap_or(unfit).with([size])
     });
     Some(read)
 }

@@ -15,7 +15,8 @@ use std::borrow::Cow;
 use giveway_formats::movingai;
 use giveway_model::format::read_text;
 use giveway_model::words::Later;
-use giveway_model::{Fault, Scene, tr, tr_later};
+use giveway_model::words::Sentence;
+use giveway_model::{Fault, Scene, tr_data, tr_later};
 
 use crate::link;
 use crate::{Notice, State, intake};
@@ -68,7 +69,7 @@ fn larger_than(name: &str, bytes: u64, most: u64) -> Option<Notice> {
         let (found, most) = (megabytes(bytes), megabytes(most));
         refusal(
             name,
-            &tr!("found {found} MB, expected at most {most} MB", found, most),
+            tr_data!("found {found} MB, expected at most {most} MB", found, most),
         )
     })
 }
@@ -133,13 +134,13 @@ pub fn read(files: &[Opened]) -> Result<Reading, Notice> {
         return read;
     }
     match (&*scenes, &*maps, &*scenarios) {
-        ([], [], []) => Err(Notice::refusal(tr!("There is no file to open."), Vec::new())),
+        ([], [], []) => Err(Notice::refusal(tr_data!("There is no file to open."))),
         ([], &[(file, text)], []) => map(file, text),
         ([], [], &[(file, text)]) => Err(map_missing(file, text)),
         ([], [map], [scenario]) => scenario::read(*map, *scenario),
-        _ => Err(Notice::refusal(tr!("Open one scene at a time."), vec![
-                tr!("found {scenes}, {maps}, {scenarios}", scenes = tr!("{n} JSON file" | "{n} JSON files" % scenes.len()), maps = tr!("{n} map" | "{n} maps" % maps.len()), scenarios = tr!("{n} scenario" | "{n} scenarios" % scenarios.len())),
-                tr!("expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen").to_owned(),
+        _ => Err(Notice::refusal(tr_data!("Open one scene at a time.")).with([
+                tr_data!("found {scenes}, {maps}, {scenarios}", scenes = tr_data!("{n} JSON file" | "{n} JSON files" % scenes.len()), maps = tr_data!("{n} map" | "{n} maps" % maps.len()), scenarios = tr_data!("{n} scenario" | "{n} scenarios" % scenarios.len())),
+                tr_data!("expected one JSON file, or those of a scene, its plan and its changes, or one .map and one .scen").to_owned(),
             ])),
     }
 }
@@ -205,10 +206,7 @@ fn text(file: &Opened) -> Result<Cow<'_, str>, Notice> {
 }
 
 fn kept(file: &Opened, text: &str) -> Result<Reading, Notice> {
-    let linked = link::kept_elsewhere(text).map_err(|notice| Notice {
-        details: notice.details,
-        ..refusal(&file.name, "")
-    })?;
+    let linked = link::kept_elsewhere(text).map_err(|notice| notice.under(unopened(&file.name)))?;
     Ok(Reading::Linked(Box::new(linked.into())))
 }
 
@@ -227,14 +225,13 @@ fn map_missing(file: &Opened, text: &str) -> Notice {
         Err(fault) => return faulty(&file.name, &[fault]),
     };
     let name = scenario.map_name().map(base).unwrap_or_default();
-    let map = if name.is_empty() {
-        tr!("its map")
-    } else {
-        name
+    let map = match name {
+        "" => tr_data!("its map"),
+        name => name.into(),
     };
     refusal(
         &file.name,
-        &tr!("it is a scenario for {map}: open both files together", map),
+        tr_data!("it is a scenario for {map}: open both files together", map),
     )
 }
 
@@ -251,21 +248,23 @@ const TOLD: usize = 5;
 
 fn faulty(file: &str, faults: &[Fault]) -> Notice {
     let told = faults.iter().take(TOLD);
-    let mut details: Vec<String> = told.map(|fault| format!("{file}, {fault}")).collect();
+    let mut details: Vec<Sentence> = told
+        .map(|fault| format!("{file}, {fault}").into())
+        .collect();
     if let more @ 1.. = faults.len().saturating_sub(TOLD) {
-        details.push(tr!("and {n} more fault" | "and {n} more faults" % more));
+        details.push(tr_data!(
+            "and {n} more fault" | "and {n} more faults" % more
+        ));
     }
-    Notice::refusal(
-        tr!("{file} cannot be opened; the scene stays as it is.", file),
-        details,
-    )
+    Notice::refusal(unopened(file)).with(details)
 }
 
-fn refusal(file: &str, why: &str) -> Notice {
-    Notice::refusal(
-        tr!("{file} cannot be opened; the scene stays as it is.", file),
-        vec![why.to_owned()],
-    )
+fn refusal(file: &str, why: impl Into<Sentence>) -> Notice {
+    Notice::refusal(unopened(file)).with([why])
+}
+
+fn unopened(file: &str) -> Sentence {
+    tr_data!("{file} cannot be opened; the scene stays as it is.", file)
 }
 
 /// A name without folders.

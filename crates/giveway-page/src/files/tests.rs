@@ -26,8 +26,8 @@ fn scene_of(files: &[Opened]) -> Scene {
 #[track_caller]
 fn refused(files: &[Opened], detail: &str) {
     let notice = read(files).unwrap_err();
-    assert!(!notice.sentence.is_empty());
-    assert_eq!(notice.details, [detail]);
+    assert!(!notice.sentence().is_empty());
+    assert_eq!(notice.details(), [detail]);
 }
 
 #[test]
@@ -96,14 +96,14 @@ fn a_scenario_for_another_size_is_refused_at_once() {
     let wider = "type octile\nheight 2\nwidth 4\nmap\n....\n....\n";
     let files = [file("small.scen", SCEN), file("wider.map", wider)];
     let notice = read(&files).unwrap_err();
-    assert!(notice.details[0].starts_with("small.scen, line 2"));
+    assert!(notice.details()[0].starts_with("small.scen, line 2"));
 }
 
 #[test]
 fn too_many_files() {
     let files = [file("a.json", "{}"), file("b.map", MAP)];
     let notice = read(&files).unwrap_err();
-    assert_eq!(notice.details[0], "found 1 JSON file, 1 map, 0 scenarios");
+    assert_eq!(notice.details()[0], "found 1 JSON file, 1 map, 0 scenarios");
     assert!(read(&[]).is_err());
 }
 
@@ -124,11 +124,11 @@ fn large_files_are_refused_by_their_size() {
     let most = crate::intake::MAX_BYTES;
     assert_eq!(too_large("paths.txt", most), None);
     let notice = too_large("paths.txt", most + 1).unwrap();
-    assert_eq!(notice.details, ["found 21 MB, expected at most 20 MB"]);
+    assert_eq!(notice.details(), ["found 21 MB, expected at most 20 MB"]);
     // Files of the page's own are smaller.
     let huge = " ".repeat(10_000_001);
     let notice = read(&[file("a.json", &huge)]).unwrap_err();
-    assert_eq!(notice.details, ["found 11 MB, expected at most 10 MB"]);
+    assert_eq!(notice.details(), ["found 11 MB, expected at most 10 MB"]);
 }
 
 #[test]
@@ -146,8 +146,8 @@ fn many_faults_are_not_all_told() {
         agents.join(",")
     );
     let notice = read(&[file("many.json", &text)]).unwrap_err();
-    assert_eq!(notice.details.len(), TOLD + 1);
-    assert!(notice.details[TOLD].starts_with("and "));
+    assert_eq!(notice.details().len(), TOLD + 1);
+    assert!(notice.details()[TOLD].starts_with("and "));
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn a_scene_with_its_plan_and_what_changed() {
     let broken = file("c.json", r#"{ "giveway": 1, "changes": [{ "at": 1 }] }"#);
     let notice = read(&[all[0].clone(), all[1].clone(), broken]).unwrap_err();
     assert!(
-        notice.details[0].starts_with("c.json, line 1"),
+        notice.details()[0].starts_with("c.json, line 1"),
         "{notice:?}"
     );
 }
@@ -217,7 +217,7 @@ fn a_pasted_plan_is_for_the_scene_on_the_board() {
     assert_eq!(reader(&unsolved, &plan).plan(), state.plan());
     let other = crate::State::new(crate::Draft::default());
     let refused = reader(&other, &plan).view.notice.unwrap();
-    assert!(refused.sentence.contains("Pasted text"), "{refused:?}");
+    assert!(refused.sentence().contains("Pasted text"), "{refused:?}");
 }
 
 #[test]
@@ -268,7 +268,7 @@ fn a_pasted_link_is_opened_and_a_broken_one_refused() {
     let opened = pasted(&state, &link);
     assert!(matches!(opened, Ok(Pasted::Read(Reading::Linked(_)))));
     let broken = pasted(&state, "https://example.org/#giveway=9").unwrap_err();
-    assert!(broken.details[0].contains("version 9"), "{broken:?}");
+    assert!(broken.details()[0].contains("version 9"), "{broken:?}");
 }
 
 #[test]
@@ -277,10 +277,10 @@ fn a_pasted_text_is_refused_with_its_place() {
     let broken = reader(&state, "{\n  \"giveway\": 1,\n  \"map\": [");
     let broken = broken.view.notice.unwrap();
     assert!(
-        broken.details[0].contains("Pasted text, line 3"),
+        broken.details()[0].contains("Pasted text, line 3"),
         "{broken:?}"
     );
     let huge = "x".repeat(10_000_001);
     let refused = pasted(&state, &huge).unwrap_err();
-    assert!(refused.details[0].contains("11 MB"), "{refused:?}");
+    assert!(refused.details()[0].contains("11 MB"), "{refused:?}");
 }

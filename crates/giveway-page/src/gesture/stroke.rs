@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::Cell;
+use giveway_model::words::Sentence;
 
 use super::Thing;
 use crate::Draft;
@@ -39,7 +40,7 @@ pub(crate) struct Stroke {
     /// What it is made on, and what has come of it so far.
     pub(crate) canvas: Canvas,
     /// Why a part of it was refused.
-    pub(crate) refused: Option<String>,
+    pub(crate) refused: Option<Sentence>,
 }
 
 /// What a stroke is made on, with what has come of it so far.

@@ -10,10 +10,10 @@ use giveway_proof::bundle::archive::pack;
 use giveway_solve::ExportAnswer;
 
 use super::protocol::{Found, Read, Reply, ReportKind, Run, Task};
+use crate::State;
 use crate::audit::{report, told as told_of};
 use crate::files::{self, Opened, Reading, Together};
 use crate::link::kept_moment;
-use crate::{Notice, State};
 
 /// The most faults that are told of one file.
 const TOLD: usize = 5;
@@ -103,9 +103,7 @@ fn own(read: Read) -> Reply {
         // A plan that breaks a rule is audited, and so are several plans.
         Ok(Reading::Illegal(files)) => reply(combined(&files, &Options::default()), &files),
         Ok(Reading::Scenario(_) | Reading::Lesson(_)) => Reply::Own,
-        Err(Notice {
-            sentence, details, ..
-        }) => Reply::Refused(sentence, details),
+        Err(notice) => Reply::Refused(notice.sentence(), notice.details()),
     }
 }
 

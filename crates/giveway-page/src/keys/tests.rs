@@ -65,7 +65,7 @@ fn without_a_plan_there_is_no_time() {
 #[test]
 fn escape_takes_one_thing_after_the_other() {
     let mut state = reduce(&state(), Action::Solve(SolveAction::Solve));
-    state.view.notice = Some(Notice::refusal(String::new(), Vec::new()));
+    state.view.notice = Some(Notice::refusal(String::new()));
     state.view.selection = Selection::Agent(0);
     for expect in [
         Action::Solve(SolveAction::Cancel),

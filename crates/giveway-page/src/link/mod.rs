@@ -26,7 +26,7 @@ mod tests;
 use std::fmt::Write as _;
 
 use giveway_model::format::link::{message, plan, repair, scene, seal, text};
-use giveway_model::{Question, tr};
+use giveway_model::{Question, tr_data};
 use giveway_solve::Status;
 
 use crate::{Action, Document, FileAction, Notice, State};
@@ -118,10 +118,10 @@ pub fn read(text: &str, from: From) -> Result<Linked, Notice> {
             .map_err(|why| vec![why]),
     };
     read.map_err(|details| {
-        Notice::refusal(
-            tr!("The link cannot be opened. Your scene stays as it is."),
-            details,
-        )
+        Notice::refusal(tr_data!(
+            "The link cannot be opened. Your scene stays as it is."
+        ))
+        .with(details)
     })
 }
 

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Question, Version, question::fits, tr};
+use giveway_model::words::Sentence;
+use giveway_model::{Question, Version, question::fits, tr_data};
 use giveway_solve::explain::{ExplainAnswer, Repair};
 use giveway_solve::{Limits, Reach, SolveAnswer, Stats, Status};
 
@@ -50,19 +51,22 @@ fn asking(state: &mut State, question: &Question) -> Option<Asking> {
             Some(Asking::stuck(&comparing.changing, limits))
         }
         Activity::Changing(_) | Activity::Comparing(_) => {
-            refuse(state, tr!("Use a new plan first, or discard the changes."));
+            refuse(
+                state,
+                tr_data!("Use a new plan first, or discard the changes."),
+            );
             None
         }
         Activity::Editing | Activity::Auditing(_) => {
             let Some(answer) = state.document.fresh_answer() else {
-                refuse(state, tr!("Solve first: questions are about a plan."));
+                refuse(state, tr_data!("Solve first: questions are about a plan."));
                 return None;
             };
             if answer.course.is_none()
                 && let (Ok(instance), Some(plan)) = (answer.draft.instance(), answer.plan())
                 && let Err(misfit) = fits(question, instance, plan)
             {
-                refuse(state, &misfit.in_sentences());
+                refuse(state, misfit.in_sentences());
                 return None;
             }
             Some(asked(answer))
@@ -84,8 +88,8 @@ pub(super) fn ask(state: &mut State, question: &Question) {
     state.work.start(Task::Explain(request));
 }
 
-pub(super) fn refuse(state: &mut State, sentence: &str) {
-    state.view.notice = Some(Notice::refusal(sentence, Vec::new()));
+pub(super) fn refuse(state: &mut State, sentence: impl Into<Sentence>) {
+    state.view.notice = Some(Notice::refusal(sentence));
 }
 
 /// Another question or none, as part of the last step: asking is no step of its own.

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_formats::ForeignPlan;
 use giveway_model::assumption::left_out;
 use giveway_model::check::check;
-use giveway_model::{Assumption, Costs, Scene, tr};
+use giveway_model::{Assumption, Costs, Scene, tr_data};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::document::{amend, put};
@@ -30,7 +30,7 @@ pub(super) fn audit(state: &mut State, action: AuditAction) {
         AuditAction::Show(index) => show(state, &audit, index),
         AuditAction::Next => match conflicts::next(state) {
             Ok(index) => show(state, &audit, index),
-            Err(sentence) => state.view.notice = Some(Notice::refusal(sentence, Vec::new())),
+            Err(sentence) => state.view.notice = Some(Notice::refusal(sentence)),
         },
         AuditAction::Find => find(state, &audit),
         AuditAction::Compare(on) => beside(state, &audit, compared(on)),
@@ -119,10 +119,9 @@ pub(super) fn open(
             solve::start(state, solve::Start::quiet());
             Ok(())
         }
-        None => Err(Notice::refusal(
-            tr!("There is no plan in these files."),
-            Vec::new(),
-        )),
+        None => Err(Notice::refusal(tr_data!(
+            "There is no plan in these files."
+        ))),
     }
 }
 

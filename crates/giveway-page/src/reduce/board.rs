@@ -1,6 +1,6 @@
 //! On the board: the keyboard's cursor, the tools, the selection.
 
-use giveway_model::{Cell, tr};
+use giveway_model::{Cell, tr_data};
 
 use super::{ask, delete, press, steer, stroke};
 use crate::gesture::Gesture;
@@ -80,7 +80,7 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
         if !state.can_move(from) {
             move_cursor(state, to);
             let at = crate::words::at(from);
-            return ask::refuse(state, &tr!("There is nothing to move at {at}.", at));
+            return ask::refuse(state, tr_data!("There is nothing to move at {at}.", at));
         }
         press::press(state, from);
         stroke::drag(state, to);

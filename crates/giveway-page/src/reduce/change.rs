@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Question, tr};
+use giveway_model::{Question, tr_data};
 use giveway_solve::change::ChangeAnswer;
 use giveway_solve::explain::Repair;
 
@@ -35,12 +35,15 @@ fn begin(state: &mut State) {
     }
     let answer = state.document.fresh_answer();
     let Some(answer) = answer.filter(|answer| answer.plan().is_some()) else {
-        return ask::refuse(state, tr!("Solve first: changes happen while a plan runs."));
+        return ask::refuse(
+            state,
+            tr_data!("Solve first: changes happen while a plan runs."),
+        );
     };
     let at = state.view.playback.time;
     let Some(changing) = Changing::begin(answer, at) else {
         let last = answer.changed_last().unwrap_or(at);
-        let sentence = tr!(
+        let sentence = tr_data!(
             "What happened up to time {last} is settled. Show a later time, or undo.",
             last
         );
@@ -74,9 +77,7 @@ pub(super) fn list(state: &mut State, changing: &Rc<Changing>, edit: &Edit) -> R
     } else if refused.is_some() {
         state.view.playback.stop_at(changing.at);
     }
-    refused.map_or(Ok(()), |sentence| {
-        Err(Notice::refusal(sentence, Vec::new()))
-    })
+    refused.map_or(Ok(()), |sentence| Err(Notice::refusal(sentence)))
 }
 
 /// Lists the edits of a repair, and asks again how to go on.
@@ -111,7 +112,7 @@ fn take_back(state: &mut State, index: usize) {
     if lost > 0 {
         ask::refuse(
             state,
-            tr!("What depended on that change was taken back with it."),
+            tr_data!("What depended on that change was taken back with it."),
         );
     }
 }
@@ -135,7 +136,7 @@ pub(super) fn adapt(state: &mut State) {
     if changing.list.is_empty() {
         return ask::refuse(
             state,
-            tr!("Nothing changes yet. Use the tools on the board first."),
+            tr_data!("Nothing changes yet. Use the tools on the board first."),
         );
     }
     let request = changing.request(&state.settings, state.document.within);
@@ -153,7 +154,7 @@ pub(super) fn adapt(state: &mut State) {
 /// The methods have answered.
 pub(super) fn answered(state: &mut State, run: &Adapting, told: ChangeAnswer) {
     let Some(comparing) = Comparing::new(&run.changing, told) else {
-        return ask::refuse(state, tr!("The answer is not about what is listed."));
+        return ask::refuse(state, tr_data!("The answer is not about what is listed."));
     };
     let at = run.changing.at;
     state.view.tool = Tool::Select;

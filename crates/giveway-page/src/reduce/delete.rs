@@ -1,6 +1,6 @@
 //! The key Delete: it removes what is selected, or a sentence says why it cannot.
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 
 use super::{ask, document, press, steer, stroke};
 use crate::{Edit, Selection, State, Tool};
@@ -13,13 +13,16 @@ pub(super) fn delete(state: &mut State) {
     match state.view.selection {
         Selection::Nothing => ask::refuse(
             state,
-            tr!("Select a robot or a cell first. Then Delete removes it."),
+            tr_data!("Select a robot or a cell first. Then Delete removes it."),
         ),
         Selection::Agent(agent) if state.is_there(agent) => {
             document::edit(state, Edit::RemoveAgent(agent));
         }
         Selection::Agent(_) => {
-            ask::refuse(state, tr!("This robot is not there at the time shown."));
+            ask::refuse(
+                state,
+                tr_data!("This robot is not there at the time shown."),
+            );
         }
         Selection::Cell(cell) => {
             let tool = std::mem::replace(&mut state.view.tool, Tool::Erase);

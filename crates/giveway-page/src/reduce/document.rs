@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 
 use super::{solve, stroke};
 use crate::edit::{Edit, Sketch};
@@ -158,9 +158,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
     let mut after = document.clone();
     let mut sketch = Sketch::of(&document.draft);
     for edit in edits {
-        sketch
-            .make(edit)
-            .map_err(|why| Notice::refusal(why, Vec::new()))?;
+        sketch.make(edit).map_err(Notice::refusal)?;
         match edit {
             Edit::Within(within) => after.within = *within,
             Edit::Recolour(agent, colour) => after.colours.set(after.looks.of(*agent), *colour),
@@ -179,10 +177,8 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
     }
     if scene != *document.draft.scene() {
         let draft = Draft::new(scene).map_err(|faults| {
-            Notice::refusal(
-                tr!("This edit cannot be made."),
-                faults.iter().map(ToString::to_string).collect(),
-            )
+            Notice::refusal(tr_data!("This edit cannot be made."))
+                .with(faults.iter().map(ToString::to_string))
         })?;
         after.set_draft(draft);
     }

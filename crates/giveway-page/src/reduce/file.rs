@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Fault, Scene, tr};
+use giveway_model::{Fault, Scene, tr_data};
 
 use super::document::{drop_gesture, put, settle, travel};
 use super::{ask, solve, stroke};
@@ -46,10 +46,8 @@ pub(super) fn open(state: &mut State, scene: Scene) {
 /// Why it cannot.
 pub(super) fn drafted(scene: Scene) -> Result<Draft, Notice> {
     let refused = |faults: &[Fault]| {
-        Notice::refusal(
-            tr!("The scene cannot be opened."),
-            faults.iter().map(ToString::to_string).collect(),
-        )
+        Notice::refusal(tr_data!("The scene cannot be opened."))
+            .with(faults.iter().map(ToString::to_string))
     };
     let draft = Draft::new(scene).map_err(|faults| refused(&faults))?;
     draft.instance().map_err(refused)?;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_formats::{Conventions, Format};
-use giveway_model::{Plan, tr};
+use giveway_model::{Plan, tr_data};
 use giveway_picture::Look;
 
 use super::{audit, file, stroke};
@@ -49,7 +49,7 @@ pub(super) fn intake(state: &mut State, action: IntakeAction) {
             if state.intake.at(job).is_some()
                 && let Some(job) = state.intake.end()
             {
-                state.view.notice = Some(Notice::refusal(job.crashed(had_started), details));
+                state.view.notice = Some(Notice::refusal(job.crashed(had_started)).with(details));
             }
         }
         IntakeAction::Save(what) => save(state, what),
@@ -71,10 +71,9 @@ pub(super) fn begin(state: &mut State, task: Task) {
 /// Reads files again, by conventions that a person chose.
 pub(super) fn read_as(state: &mut State, files: Vec<Opened>, conventions: Conventions) {
     if files.is_empty() {
-        state.view.notice = Some(Notice::refusal(
-            tr!("The browser does not keep the file. Open it again to read it in another way."),
-            Vec::new(),
-        ));
+        state.view.notice = Some(Notice::refusal(tr_data!(
+            "The browser does not keep the file. Open it again to read it in another way."
+        )));
         return;
     }
     let read = Read {
@@ -182,10 +181,8 @@ fn replied(state: &mut State, job: Job, reply: Reply) {
                 return opened(state, *found);
             }
             state.intake.wait(files);
-            state.view.notice = Some(Notice::information(
-                tr!("One file more is needed."),
-                vec![sentence],
-            ));
+            state.view.notice =
+                Some(Notice::information(tr_data!("One file more is needed.")).with([sentence]));
         }
         Reply::Refused(sentence, details) => written_or_told(state, &job, sentence, details),
         Reply::Packed(bytes) => packed(state, &job, bytes),
@@ -237,10 +234,10 @@ fn ran(state: &mut State, run: Run) {
             Some(listed) => link::changing(draft, plan, &listed),
         }
         .map_err(|why| {
-            Notice::refusal(
-                tr!("The plan cannot be opened; the scene stays as it is."),
-                vec![why],
-            )
+            Notice::refusal(tr_data!(
+                "The plan cannot be opened; the scene stays as it is."
+            ))
+            .with([why])
         }),
     });
     let action = linked.map_or_else(FileAction::Refuse, |linked| {
@@ -248,7 +245,7 @@ fn ran(state: &mut State, run: Run) {
     });
     file::file(state, action);
     if state.view.notice.is_none() && !notes.is_empty() {
-        state.view.notice = Some(Notice::information(tr!("The files were read."), notes));
+        state.view.notice = Some(Notice::information(tr_data!("The files were read.")).with(notes));
     }
 }
 
@@ -262,7 +259,7 @@ fn written_or_told(state: &mut State, job: &Job, sentence: String, details: Vec<
         }));
         return;
     }
-    state.view.notice = Some(Notice::refusal(sentence, details));
+    state.view.notice = Some(Notice::refusal(sentence).with(details));
 }
 
 /// A scene with its plans was read.
@@ -277,7 +274,8 @@ fn opened(state: &mut State, found: Found) {
     if plans.is_empty() {
         file::open(state, scene);
         if state.view.notice.is_none() && !notes.is_empty() {
-            state.view.notice = Some(Notice::information(tr!("The scene was read."), notes));
+            state.view.notice =
+                Some(Notice::information(tr_data!("The scene was read.")).with(notes));
         }
         return;
     }

@@ -1,7 +1,7 @@
 //! What the worker tells, heard in one place: only the job that is not over is
 //! heard, and each kind of answer goes to the part that asked for it.
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, freedom, inside, planners, proof, solve};
@@ -83,13 +83,13 @@ fn respond(state: &mut State, id: u64, response: Response) {
 
 fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     let sentence = match task {
-        Task::Solve(_) => tr!("The solver refused the scene."),
-        Task::Explain(_) => tr!("The question cannot be answered."),
-        Task::Certify(_) => tr!("The proof cannot be checked."),
-        Task::Export(_) => tr!("The certificate cannot be made."),
-        Task::Change(_) => tr!("The changes were refused."),
-        Task::Look(_) => tr!("The planner refused the scene."),
-        Task::Freedom(_) => tr!("All best plans cannot be compared for this scene."),
+        Task::Solve(_) => tr_data!("The solver refused the scene."),
+        Task::Explain(_) => tr_data!("The question cannot be answered."),
+        Task::Certify(_) => tr_data!("The proof cannot be checked."),
+        Task::Export(_) => tr_data!("The certificate cannot be made."),
+        Task::Change(_) => tr_data!("The changes were refused."),
+        Task::Look(_) => tr_data!("The planner refused the scene."),
+        Task::Freedom(_) => tr_data!("All best plans cannot be compared for this scene."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = state.document.mode.comparing().is_some();
@@ -102,14 +102,11 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     if let Task::Freedom(_) = task {
         freedom::refused(state);
     }
-    state.view.notice = Some(Notice::refusal(
-        sentence,
-        match refusal {
-            // What can be asked, as a sentence: nobody types it here.
-            Refusal::Question { misfit } => vec![misfit.in_sentences()],
-            other => other.sentences(),
-        },
-    ));
+    state.view.notice = Some(Notice::refusal(sentence).with(match refusal {
+        // What can be asked, as a sentence: nobody types it here.
+        Refusal::Question { misfit } => vec![misfit.in_sentences()],
+        other => other.sentences(),
+    }));
 }
 
 /// The worker broke off, or did not even start.
@@ -120,13 +117,13 @@ fn crash(state: &mut State, id: u64, sentence: String, had_started: bool) {
     let is_solving = state.work.solving().is_some();
     solve::cancel(state);
     let what = if had_started {
-        tr!("The solver broke off and was started again. Your scene is as it was.")
+        tr_data!("The solver broke off and was started again. Your scene is as it was.")
     } else if is_solving {
-        tr!("The solver could not be started. Press Solve to try again.")
+        tr_data!("The solver could not be started. Press Solve to try again.")
     } else {
-        tr!(
+        tr_data!(
             "The part of the solver that answers could not be loaded. Try again when the network is back."
         )
     };
-    state.view.notice = Some(Notice::refusal(what, vec![sentence]));
+    state.view.notice = Some(Notice::refusal(what).with([sentence]));
 }

@@ -30,7 +30,7 @@ pub(super) fn planned(state: &mut State, run: &Solving, told: &PlanAnswer) {
         ..state.document.clone()
     };
     amend(state, document);
-    state.view.notice = Some(Notice::information(sentence, words::notes(told)));
+    state.view.notice = Some(Notice::information(sentence).with(words::notes(told)));
 }
 
 /// The plan of a planner becomes the plan of the scene.

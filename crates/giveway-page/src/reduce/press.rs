@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell, tr};
+use giveway_model::words::Sentence;
+use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
 use super::{ask, steer, stroke};
@@ -101,7 +102,7 @@ fn press_goal(state: &mut State, cell: Cell) {
         }
         (None, None) => match start {
             Some(agent) => choose(state, agent, Thing::Goal(agent), cell),
-            None => ask_for_agent(state, tr!("the cell of its" => "goal")),
+            None => ask_for_agent(state, tr_data!("the cell of its" => "goal")),
         },
     }
 }
@@ -126,7 +127,7 @@ fn press_waypoint(state: &mut State, cell: Cell) {
     } else if let Some(agent) = agents.iter().position(is) {
         choose(state, agent, Thing::NewWaypoint(agent), cell);
     } else {
-        ask_for_agent(state, tr!("the cell of its" => "waypoint"));
+        ask_for_agent(state, tr_data!("the cell of its" => "waypoint"));
     }
 }
 
@@ -140,7 +141,7 @@ fn press_task(state: &mut State, changing: &Changing, cell: Cell) {
     let Some(agent) = chosen.filter(|&agent| Some(agent) != standing) else {
         return match standing {
             Some(agent) => select(state, Selection::Agent(agent)),
-            None => ask_for_agent(state, tr!("the cell of its" => "goal or waypoint")),
+            None => ask_for_agent(state, tr_data!("the cell of its" => "goal or waypoint")),
         };
     };
     let has = |agent: &Agent| agent.waypoints.contains(&cell);
@@ -175,9 +176,9 @@ fn choose(state: &mut State, agent: usize, thing: Thing, cell: Cell) {
     begin(state, Hold::Thing(thing), cell);
 }
 
-fn ask_for_agent(state: &mut State, what: &str) {
-    let sentence = tr!("Press a robot first, then the cell of its {what}.", what);
-    ask::refuse(state, &sentence);
+fn ask_for_agent(state: &mut State, what: Sentence) {
+    let sentence = tr_data!("Press a robot first, then the cell of its {what}.", what);
+    ask::refuse(state, sentence);
 }
 
 fn begin(state: &mut State, hold: Hold, cell: Cell) {

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 use giveway_proof::Report;
 use giveway_solve::{CertifyRequest, ExportAnswer, ExportRequest, Limits};
 
@@ -14,7 +14,7 @@ use crate::{Certifies, Certifying, State, Task, files, intake::protocol, proof};
 pub(super) fn start(state: &mut State) {
     stroke::release(state);
     let Some((about, request)) = proof::request(state) else {
-        return ask::refuse(state, tr!("There is nothing proved to be checked."));
+        return ask::refuse(state, tr_data!("There is nothing proved to be checked."));
     };
     state.view.notice = None;
     state.work.start(Task::Certify(Certifying {
@@ -31,7 +31,7 @@ pub(super) fn start(state: &mut State) {
 pub(super) fn export(state: &mut State) {
     stroke::release(state);
     let Some((about, certificates)) = certificate::certificates(state) else {
-        return ask::refuse(state, tr!("There is nothing proved to be saved."));
+        return ask::refuse(state, tr_data!("There is nothing proved to be saved."));
     };
     state.view.notice = None;
     let made = (0, u32::try_from(certificates.len()).unwrap_or(u32::MAX));
@@ -52,7 +52,7 @@ pub(super) fn exported(state: &mut State, answer: ExportAnswer) {
     if answer.certificates.is_empty() {
         return ask::refuse(
             state,
-            tr!("Time ran out before the first certificate was made."),
+            tr_data!("Time ran out before the first certificate was made."),
         );
     }
     let name = files::certificate_name(state);

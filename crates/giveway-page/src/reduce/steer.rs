@@ -2,7 +2,8 @@
 
 use std::rc::Rc;
 
-use giveway_model::tr;
+use giveway_model::tr_data;
+use giveway_model::words::Sentence;
 
 use super::document::{drop_gesture, enter, settle};
 use super::{ask, stroke};
@@ -16,13 +17,13 @@ pub(super) fn is_in_the_way(state: &mut State) -> bool {
         return false;
     };
     let name = own.name();
-    state.view.notice = Some(Notice::refusal(
-        tr!(
+    state.view.notice = Some(
+        Notice::refusal(tr_data!(
             "You lead {name} by hand. Discard your plan before you do this.",
             name
-        ),
-        vec![tr!("Undo brings it back.").to_owned()],
-    ));
+        ))
+        .with([tr_data!("Undo brings it back.").to_owned()]),
+    );
     true
 }
 
@@ -53,7 +54,7 @@ pub(super) fn steer(state: &mut State, lead: Lead) {
             let by = |to: u32, from: u32| to.cast_signed().wrapping_sub(from.cast_signed());
             if cell == from {
                 let name = own.name();
-                let told = tr!(
+                let told = tr_data!(
                     "{name} is there already. Press the cell that it goes to next.",
                     name
                 );
@@ -99,7 +100,7 @@ fn begin(state: &mut State) {
     let Some(own) = own else {
         return ask::refuse(
             state,
-            tr!("Solve first and select a robot: then you can lead it by hand."),
+            tr_data!("Solve first and select a robot: then you can lead it by hand."),
         );
     };
     drop_gesture(state);
@@ -108,7 +109,7 @@ fn begin(state: &mut State) {
 }
 
 /// A step was made, or why it was not.
-fn made(state: &mut State, own: &Steering, step: Result<Steering, String>) {
+fn made(state: &mut State, own: &Steering, step: Result<Steering, Sentence>) {
     match step {
         Ok(after) => put(state, after),
         Err(told) => {

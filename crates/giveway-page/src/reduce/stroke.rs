@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Agent, Cell, tr};
+use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
@@ -62,13 +62,12 @@ fn finish(state: &mut State, stroke: Stroke) {
         }
     }
     if is_idle {
-        state.view.notice = Some(Notice::information(
-            tr!("There is nothing to erase here."),
-            Vec::new(),
-        ));
+        state.view.notice = Some(Notice::information(tr_data!(
+            "There is nothing to erase here."
+        )));
     }
     if let Some(refused) = stroke.refused {
-        state.view.notice = Some(Notice::refusal(refused, Vec::new()));
+        state.view.notice = Some(Notice::refusal(refused));
     }
 }
 
@@ -86,10 +85,10 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
             solve_on_change(state);
         }
         Err(faults) => {
-            state.view.notice = Some(Notice::refusal(
-                tr!("This edit cannot be made."),
-                faults.iter().map(ToString::to_string).collect(),
-            ));
+            state.view.notice = Some(
+                Notice::refusal(tr_data!("This edit cannot be made."))
+                    .with(faults.iter().map(ToString::to_string)),
+            );
         }
     }
 }

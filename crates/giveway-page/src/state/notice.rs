@@ -1,4 +1,6 @@
-//! What a person must be told.
+//! What a person must be told, as data.
+
+use giveway_model::words::Sentence;
 
 /// What kind of thing a notice tells: the page shows and reads out each in its own way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,33 +37,58 @@ impl NoticeKind {
     }
 }
 
-/// What a person must be told; it stays until it is dismissed.
+/// What a person must be told; it stays until it is dismissed. It is said in the language
+/// that is spoken when it is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Notice {
     /// What kind of thing it tells.
     pub kind: NoticeKind,
-    /// One sentence: what happened.
-    pub sentence: String,
-    /// More lines: places and reasons.
-    pub details: Vec<String>,
+    sentence: Sentence,
+    details: Vec<Sentence>,
 }
 
 impl Notice {
     /// All went well, and there is something to know.
-    pub fn information(sentence: impl Into<String>, details: Vec<String>) -> Self {
-        Self::of(NoticeKind::Information, sentence, details)
+    pub fn information(sentence: impl Into<Sentence>) -> Self {
+        Self::of(NoticeKind::Information, sentence.into())
     }
 
     /// Something was refused, or failed.
-    pub fn refusal(sentence: impl Into<String>, details: Vec<String>) -> Self {
-        Self::of(NoticeKind::Refusal, sentence, details)
+    pub fn refusal(sentence: impl Into<Sentence>) -> Self {
+        Self::of(NoticeKind::Refusal, sentence.into())
     }
 
-    fn of(kind: NoticeKind, sentence: impl Into<String>, details: Vec<String>) -> Self {
+    const fn of(kind: NoticeKind, sentence: Sentence) -> Self {
         Self {
             kind,
-            sentence: sentence.into(),
-            details,
+            sentence,
+            details: Vec::new(),
         }
+    }
+
+    /// The same with more lines: places and reasons.
+    #[must_use]
+    pub fn with(mut self, details: impl IntoIterator<Item: Into<Sentence>>) -> Self {
+        self.details.extend(details.into_iter().map(Into::into));
+        self
+    }
+
+    /// The same reasons under another sentence.
+    #[must_use]
+    pub fn under(self, sentence: impl Into<Sentence>) -> Self {
+        Self {
+            sentence: sentence.into(),
+            ..self
+        }
+    }
+
+    /// One sentence: what happened.
+    pub fn sentence(&self) -> String {
+        self.sentence.to_string()
+    }
+
+    /// More lines: places and reasons.
+    pub fn details(&self) -> Vec<String> {
+        self.details.iter().map(ToString::to_string).collect()
     }
 }

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::check::{Report, Rule, Violation, check};
+use giveway_model::words::Sentence;
 use giveway_model::{Agent, Instance, Plan};
 use giveway_solve::{SolveAnswer, Stats, Status};
 
@@ -28,7 +29,7 @@ impl Steering {
             answer: Rc::new(open_ended(answer, &to_do)),
             violations,
             to_do,
-            told: String::new(),
+            told: Sentence::default(),
             plan,
             from,
         })
@@ -45,7 +46,7 @@ impl Steering {
             .take(2)
             .map(|violation| violation.message.clone())
             .collect();
-        after.told = news.join(" ");
+        after.told = news.join(" ").into();
         after
     }
 

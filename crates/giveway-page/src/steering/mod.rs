@@ -11,6 +11,7 @@ mod step;
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
+use giveway_model::words::Sentence;
 use giveway_model::{Agent, AtGoal, Cell, Grid, Plan, Scene};
 
 use crate::Answer;
@@ -51,7 +52,7 @@ pub struct Steering {
     pub to_do: Vec<Violation>,
     /// What the last step brought, or why it was not made; empty where there is
     /// nothing to tell.
-    pub told: String,
+    pub told: Sentence,
     /// Every step as it was led: waits at a goal stay, as it may be left again.
     plan: Plan,
     /// From which time on each agent is led.
@@ -105,7 +106,7 @@ impl Steering {
     }
 
     /// The same with why a step was not made.
-    pub(crate) fn refusing(&self, told: String) -> Self {
+    pub(crate) fn refusing(&self, told: Sentence) -> Self {
         Self {
             told,
             ..self.clone()

@@ -1,6 +1,7 @@
 //! An agent is led: a step more, a charge, or a step back.
 
-use giveway_model::{Cell, tr};
+use giveway_model::words::Sentence;
+use giveway_model::{Cell, tr_data};
 
 use super::Steering;
 use crate::words::at;
@@ -13,23 +14,23 @@ impl Steering {
     ///
     /// # Errors
     /// Why there is no such step, as a sentence.
-    pub(crate) fn step(&self, by: (i32, i32)) -> Result<Self, String> {
+    pub(crate) fn step(&self, by: (i32, i32)) -> Result<Self, Sentence> {
         let (name, from) = (self.name().to_owned(), self.cell());
-        let refused = |why: String| Err(tr!("{name} stays: {why}.", name, why));
+        let refused = |why: Sentence| Err(tr_data!("{name} stays: {why}.", name = &name, why));
         if self.path().len() >= LONGEST {
-            return refused(tr!("nobody is led that far").to_owned());
+            return refused(tr_data!("nobody is led that far"));
         }
         let to = from.x.checked_add_signed(by.0);
         let to = to.zip(from.y.checked_add_signed(by.1));
         let to = to.map(|(x, y)| Cell::new(x, y));
         let Some(to) = to.filter(|&to| self.grid().ground(to).is_some()) else {
-            return refused(tr!("the map ends there").to_owned());
+            return refused(tr_data!("the map ends there"));
         };
         if !self.grid().is_vertex(to) {
-            return refused(tr!("at {cell} there is an obstacle", cell = at(to)));
+            return refused(tr_data!("at {cell} there is an obstacle", cell = at(to)));
         }
         if to != from && !to.touches(from) {
-            return refused(tr!("{cell} is not beside it", cell = at(to)));
+            return refused(tr_data!("{cell} is not beside it", cell = at(to)));
         }
         let mut plan = self.plan.clone();
         if let Some(path) = plan.paths.get_mut(&name) {
@@ -45,11 +46,11 @@ impl Steering {
     ///
     /// # Errors
     /// Why it cannot, as a sentence.
-    pub(crate) fn charge(&self) -> Result<Self, String> {
+    pub(crate) fn charge(&self) -> Result<Self, Sentence> {
         let (name, time) = (self.name().to_owned(), self.time());
         let Some(charges) = self.charges() else {
             let cell = at(self.cell());
-            return Err(tr!("{name} cannot charge at {cell}.", name, cell));
+            return Err(tr_data!("{name} cannot charge at {cell}.", name, cell));
         };
         let mut plan = self.plan.clone();
         let times = plan.charges.entry(name.clone()).or_default();
@@ -61,9 +62,9 @@ impl Steering {
         // It begins with the next step, and is judged with that.
         Ok(Self {
             told: if charges {
-                tr!("{name} does not charge.", name)
+                tr_data!("{name} does not charge.", name)
             } else {
-                tr!("{name} charges in its next step.", name)
+                tr_data!("{name} charges in its next step.", name)
             },
             plan,
             ..self.clone()
@@ -74,9 +75,9 @@ impl Steering {
     ///
     /// # Errors
     /// That there is none, as a sentence.
-    pub(crate) fn back(&self) -> Result<Self, String> {
+    pub(crate) fn back(&self) -> Result<Self, Sentence> {
         if !self.can_go_back() {
-            return Err(tr!("There is no step to take back.").to_owned());
+            return Err(tr_data!("There is no step to take back."));
         }
         let name = self.name().to_owned();
         let mut plan = self.plan.clone();
@@ -92,7 +93,7 @@ impl Steering {
             }
         }
         Ok(Self {
-            told: String::new(),
+            told: Sentence::default(),
             ..self.after(plan)
         })
     }

@@ -153,8 +153,8 @@ fn a_reader_that_breaks_off_says_which_it_was() {
     };
     let state = reduce(&begun(PictureKind::Gif), Action::Intake(crash));
     let notice = state.view.notice.unwrap();
-    assert_eq!(notice.sentence, "The moving picture could not be made.");
-    assert_eq!(notice.details, ["out of memory"]);
+    assert_eq!(notice.sentence(), "The moving picture could not be made.");
+    assert_eq!(notice.details(), ["out of memory"]);
 }
 
 #[test]

@@ -56,11 +56,11 @@ fn a_worker_that_breaks_down_leaves_the_best_plan() {
     assert_eq!(after.plan(), Some(&plan));
     let notice = after.view.notice.as_ref().unwrap();
     assert!(
-        notice.sentence.contains("started again"),
+        notice.sentence().contains("started again"),
         "{}",
-        notice.sentence
+        notice.sentence()
     );
-    assert_eq!(notice.details, ["It panicked."]);
+    assert_eq!(notice.details(), ["It panicked."]);
     // The next job is another one: what the broken worker still tells is not heard.
     let again = reduce(&after, Action::Solve(SolveAction::Solve));
     assert_ne!(again.work.id(), Some(job));

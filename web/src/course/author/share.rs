@@ -68,8 +68,8 @@ pub(super) fn copy(lesson: &Lesson, tell: Callback<String>) {
             ),
             Ok(()) => tr!("Link copied.").to_owned(),
             Err(notice) => {
-                let details = notice.details.join(" ");
-                format!("{} {details}", notice.sentence)
+                let details = notice.details().join(" ");
+                format!("{} {details}", notice.sentence())
             }
         });
     });

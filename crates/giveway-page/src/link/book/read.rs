@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, tr};
+use giveway_model::{Cell, tr, tr_data};
 
 use super::{DISPLACED, HEAD};
 use crate::history::Moment;
@@ -161,5 +161,5 @@ fn newer(text: &str) -> String {
 }
 
 fn unread(why: String) -> Notice {
-    Notice::refusal(tr!("What this browser kept cannot be read."), vec![why])
+    Notice::refusal(tr_data!("What this browser kept cannot be read.")).with([why])
 }

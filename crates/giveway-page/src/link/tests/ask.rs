@@ -124,5 +124,5 @@ fn hostile_questions_are_refused() {
         (state.phase(), state.document.mode.asking()),
         (Phase::Found, None)
     );
-    assert!(state.view.notice.unwrap().sentence.contains("nobody"));
+    assert!(state.view.notice.unwrap().sentence().contains("nobody"));
 }

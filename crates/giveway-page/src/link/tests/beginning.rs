@@ -11,7 +11,7 @@ fn a_link_without_its_beginning_is_told() {
             for cut in [cut.to_owned(), cut.replace('&', "%26").replace('=', "%3D")] {
                 assert!(is_link(&cut), "{cut}");
                 let notice = read(&cut, From::Anywhere).unwrap_err();
-                let told = notice.details.join(" ");
+                let told = notice.details().join(" ");
                 assert!(told.contains("its beginning is missing"), "{cut}: {told}");
             }
         }

@@ -151,7 +151,7 @@ fn what_the_first_version_kept_is_read() {
     let state = kept(&text).unwrap();
     assert_eq!(state.phase(), Phase::Planned);
     let newer = text.replacen("giveway=1", "giveway-kept=3", 1);
-    let why = kept(&newer).unwrap_err().details.join(" ");
+    let why = kept(&newer).unwrap_err().details().join(" ");
     assert!(why.contains("newer version"), "{why}");
     for broken in ["", "x", "giveway-kept=2", "giveway-kept=2\n+0.-.0"] {
         assert!(kept(broken).is_err(), "{broken}");

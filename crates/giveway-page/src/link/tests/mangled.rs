@@ -144,7 +144,7 @@ fn a_cut_link_is_told_at_every_length() {
                 assert!(is_link(text), "{text} is not seen to be a link");
                 let told = read(text, From::Anywhere);
                 let told = told.map(|linked| linked.document.draft.scene().clone());
-                let told = told.expect_err(text).details.join(" ");
+                let told = told.expect_err(text).details().join(" ");
                 assert!(told.contains("cut"), "{told} for {text}");
             }
             for behind in [")", "...", "&utm_source=a"] {
@@ -240,7 +240,7 @@ fn pasted_links_are_repaired_and_refused_as_those_of_the_address() {
         );
     }
     let cut = pasted(&state, &link[..link.len() - 9]).unwrap_err();
-    assert!(cut.details[0].contains("was cut"), "{cut:?}");
+    assert!(cut.details()[0].contains("was cut"), "{cut:?}");
     for text in ["good morning", "#top", "type octile\n#g"] {
         assert!(!is_link(text) || text == "#g", "{text}");
     }

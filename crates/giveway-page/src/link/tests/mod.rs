@@ -29,7 +29,7 @@ fn bare(state: &State) -> String {
 }
 
 fn why(text: &str) -> String {
-    read(text, From::Anywhere).unwrap_err().details.join(" ")
+    read(text, From::Anywhere).unwrap_err().details().join(" ")
 }
 
 #[test]

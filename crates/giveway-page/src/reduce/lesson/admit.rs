@@ -36,7 +36,7 @@ pub(in crate::reduce) fn admit(state: &mut State, action: Action) -> Option<Acti
             None
         }
         Fate::Closed(why) => {
-            state.view.notice = Some(Notice::refusal(why, Vec::new()));
+            state.view.notice = Some(Notice::refusal(why));
             None
         }
         Fate::Dropped => None,

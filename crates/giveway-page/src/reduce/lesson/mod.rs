@@ -2,7 +2,7 @@
 
 mod admit;
 
-use giveway_model::tr;
+use giveway_model::tr_data;
 use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
@@ -73,7 +73,7 @@ fn says(state: &mut State, message: ToPage) {
             }
         }
         ToPage::Say(sentence) => {
-            state.view.notice = Some(Notice::information(sentence, Vec::new()));
+            state.view.notice = Some(Notice::information(sentence));
         }
         ToPage::Present => super::view::view(state, &ViewAction::Present(Presenting::Told)),
         ToPage::Close => leave(state),
@@ -121,10 +121,8 @@ fn open(state: &mut State, board: &Rc<Board>) {
 }
 
 fn refusal(faults: &[Fault]) -> Notice {
-    Notice::refusal(
-        tr!("The board of this lesson cannot be shown."),
-        faults.iter().map(ToString::to_string).collect(),
-    )
+    Notice::refusal(tr_data!("The board of this lesson cannot be shown."))
+        .with(faults.iter().map(ToString::to_string))
 }
 
 /// Whether the best plan is searched for.

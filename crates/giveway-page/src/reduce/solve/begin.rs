@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Question, tr};
+use giveway_model::{Question, tr_data};
 use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
@@ -60,7 +60,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     if how.planner.is_some() && !state.can_plan() {
         return ask::refuse(
             state,
-            tr!(
+            tr_data!(
                 "Planners plan a scene from time 0. Finish or discard what you do with this plan first."
             ),
         );
@@ -74,7 +74,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         // It would put a plan of the scene before the changes in the place of this one.
         return ask::refuse(
             state,
-            &tr!(
+            tr_data!(
                 "This plan went on after a change at time {at}. A new plan from time 0 would drop that change: undo it first.",
                 at
             ),
@@ -83,10 +83,10 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     let draft = &state.document.draft;
     if draft.instance().is_err() {
         let problems = draft.problems().iter();
-        state.view.notice = Some(Notice::refusal(
-            tr!("The scene cannot be solved as it is."),
-            problems.map(Problem::sentence).collect(),
-        ));
+        state.view.notice = Some(
+            Notice::refusal(tr_data!("The scene cannot be solved as it is."))
+                .with(problems.map(Problem::sentence)),
+        );
         return;
     }
     ask::close(state);

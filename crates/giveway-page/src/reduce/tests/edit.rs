@@ -179,7 +179,7 @@ fn what_cannot_be_drawn_or_solved_is_refused_and_the_old_scene_stays() {
     for rows in [&["..", "."][..], &[], &[wide.as_str()], &["x"]] {
         let state = after(&before, [open(rows)]);
         let notice = state.view.notice.clone().unwrap();
-        assert!(!notice.details.is_empty(), "{rows:?}");
+        assert!(!notice.details().is_empty(), "{rows:?}");
         let dismissed = after(&state, [Action::View(ViewAction::DismissNotice)]);
         assert_eq!(dismissed, before, "{rows:?}");
     }

@@ -171,7 +171,7 @@ fn what_is_shown() {
 
 #[test]
 fn notices_come_and_go() {
-    let notice = Notice::refusal("No.", Vec::new());
+    let notice = Notice::refusal("No.");
     let before = solved();
     let state = after(&before, [Action::File(FileAction::Refuse(notice.clone()))]);
     assert_eq!(state.view.notice, Some(notice));

@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use super::{after, stroke};
-use crate::{Action, BoardAction, ChangeAction, Selection, State, Tool, sample};
+use crate::{Action, BoardAction, ChangeAction, Notice, Selection, State, Tool, sample};
 
 /// A cell of the warehouse on which there is nothing.
 const FREE: Cell = Cell::new(1, 0);
@@ -13,12 +13,8 @@ fn select(selection: Selection) -> Action {
     Action::Board(BoardAction::Select(selection))
 }
 
-fn notice(state: &State) -> Option<&str> {
-    state
-        .view
-        .notice
-        .as_ref()
-        .map(|notice| notice.sentence.as_str())
+fn notice(state: &State) -> Option<String> {
+    state.view.notice.as_ref().map(Notice::sentence)
 }
 
 #[test]
@@ -27,14 +23,17 @@ fn delete_removes_what_is_selected_or_says_why_not() {
     let nothing = after(&state, [select(Selection::Nothing), DELETE]);
     assert_eq!(nothing.document, state.document);
     let says = "Select a robot or a cell first. Then Delete removes it.";
-    assert_eq!(notice(&nothing), Some(says));
+    assert_eq!(notice(&nothing).as_deref(), Some(says));
     let empty = after(&state, [select(Selection::Cell(FREE)), DELETE]);
     assert_eq!(empty.document, state.document);
-    assert_eq!(notice(&empty), Some("There is nothing to erase here."));
+    assert_eq!(
+        notice(&empty).as_deref(),
+        Some("There is nothing to erase here.")
+    );
     let painted = after(&state, stroke(Tool::Obstacle, &[(FREE.x, FREE.y)]));
     let erased = after(&painted, [select(Selection::Cell(FREE)), DELETE]);
     assert_eq!(erased.document.draft.scene(), state.document.draft.scene());
-    assert_eq!(notice(&erased), None);
+    assert_eq!(notice(&erased).as_deref(), None);
     let agents = state.document.agents().len();
     let removed = after(&state, [select(Selection::Agent(0)), DELETE]);
     assert_eq!(removed.document.agents().len(), agents - 1);
@@ -60,7 +59,10 @@ fn an_eraser_and_a_key_that_find_nothing_say_so() {
     let state = sample::solved();
     let Cell { x, y } = FREE;
     let erased = after(&state, stroke(Tool::Erase, &[(x, y)]));
-    assert_eq!(notice(&erased), Some("There is nothing to erase here."));
+    assert_eq!(
+        notice(&erased).as_deref(),
+        Some("There is nothing to erase here.")
+    );
     let carries = BoardAction::StepCursor {
         by: (1, 0),
         carries: true,
@@ -68,6 +70,6 @@ fn an_eraser_and_a_key_that_find_nothing_say_so() {
     let cursor = Action::Board(BoardAction::MoveCursor(Cell { x, y }));
     let moved = after(&state, [cursor, Action::Board(carries)]);
     let says = format!("There is nothing to move at ({x}, {y}).");
-    assert_eq!(notice(&moved), Some(says.as_str()));
+    assert_eq!(notice(&moved).as_deref(), Some(says.as_str()));
     assert_eq!(moved.view.cursor, Cell::new(x + 1, y));
 }

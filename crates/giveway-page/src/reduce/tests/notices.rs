@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::words::{Catalogue, speak};
 use giveway_model::{Question, Scene};
 
 use super::{after, fresh, stroke};
@@ -13,9 +14,9 @@ use crate::{
     Action, AskAction, Draft, FileAction, NoticeKind, SolveAction, State, Tool, WorkerAction,
 };
 
-fn kind(state: &State) -> (NoticeKind, &str) {
+fn kind(state: &State) -> (NoticeKind, String) {
     let notice = state.view.notice.as_ref().expect("a notice");
-    (notice.kind, &notice.sentence)
+    (notice.kind, notice.sentence())
 }
 
 /// The reader answers a file that was opened.
@@ -57,7 +58,7 @@ fn run(notes: Vec<String>) -> Reply {
 fn what_went_well_is_information() {
     let note = || vec!["The map is named otherwise.".to_owned()];
     let is = |state: &State, sentence: &str| {
-        assert_eq!(kind(state), (NoticeKind::Information, sentence));
+        assert_eq!(kind(state), (NoticeKind::Information, sentence.to_owned()));
     };
     is(&read(found(note())), "The scene was read.");
     is(&read(run(note())), "The files were read.");
@@ -107,4 +108,26 @@ fn each_kind_is_shown_and_read_aloud_in_its_own_way() {
     assert_eq!((calm.role(), refusal.role()), ("status", "alert"));
     assert_ne!(calm.icon(), refusal.icon());
     assert_ne!(calm.class(), refusal.class());
+}
+
+#[test]
+fn a_notice_is_said_in_the_language_that_is_spoken_when_it_is_shown() {
+    let state = after(&fresh(), stroke(Tool::Goal, &[(4, 2), (3, 2)]));
+    let said = "Press a robot first, then the cell of its goal.";
+    assert_eq!(kind(&state).1, said);
+    let german = r#"
+        msgid "Press a robot first, then the cell of its {what}."
+        msgstr "Zuerst einen Roboter anklicken, dann die Zelle für: {what}."
+        msgctxt "the cell of its"
+        msgid "goal"
+        msgstr "Ziel"
+    "#;
+    let german = Catalogue::read(german, Box::new(|n| usize::from(n != 1)));
+    speak(Some(german.unwrap().kept()));
+    let told = kind(&state).1;
+    speak(None);
+    assert_eq!(
+        told,
+        "Zuerst einen Roboter anklicken, dann die Zelle für: Ziel."
+    );
 }

@@ -189,7 +189,7 @@ fn a_crash_is_told_and_the_scene_stays() {
         assert!(state.work.is_idle());
         assert_eq!(state.document.draft, before.document.draft);
         let notice = state.view.notice.as_ref().unwrap();
-        assert_eq!(notice.details, ["It broke."]);
+        assert_eq!(notice.details(), ["It broke."]);
     }
     assert_ne!(broke.view.notice, absent.view.notice);
     let again = after(&broke, [Action::Solve(SolveAction::Solve)]);
@@ -213,7 +213,7 @@ fn a_refusal_is_told() {
         );
         let notice = state.view.notice.unwrap();
         let detail = "agents[0].goal: found the obstacle (1, 1), expected a free cell";
-        assert_eq!(notice.details, [detail]);
+        assert_eq!(notice.details(), [detail]);
         assert!(state.work.is_idle());
     }
 }

@@ -181,7 +181,7 @@ fn a_scene_that_cannot_be_solved() {
     let state = after(&state, [Action::Solve(SolveAction::Solve)]);
     let notice = state.view.notice.unwrap();
     assert_eq!(
-        notice.details,
+        notice.details(),
         ["The goal of A1 is on an obstacle, at (1, 1)."],
         "told when it is tried"
     );

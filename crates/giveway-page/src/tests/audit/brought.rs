@@ -33,7 +33,7 @@ fn opened(names: &[&str]) -> State {
 fn told(state: &State) -> String {
     let notice = state.view.notice.clone();
     notice.map_or_else(String::new, |notice| {
-        format!("{} {}", notice.sentence, notice.details.join(" "))
+        format!("{} {}", notice.sentence(), notice.details().join(" "))
     })
 }
 

@@ -76,7 +76,7 @@ fn of_a_robot_only_its_own_are() {
     );
     let stays = next(&alone);
     assert_eq!(stays.view.playback.time, 2);
-    assert_eq!(stays.view.notice.unwrap().sentence, "No conflict of A4.");
+    assert_eq!(stays.view.notice.unwrap().sentence(), "No conflict of A4.");
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn a_legal_plan_has_none() {
     let state = dropped(&fresh(), &[("hall.json", SCENE), ("p.txt", LEGAL_PATHS)]);
     assert_eq!(conflicts(&state), None);
     let notice = next(&state).view.notice.unwrap();
-    assert_eq!(notice.sentence, "This plan has no conflict.");
+    assert_eq!(notice.sentence(), "This plan has no conflict.");
 }
 
 #[test]

@@ -8,15 +8,13 @@ use super::{LEGAL_PATHS, MEETING, SCENE, audit, dropped, file, fresh, read_out};
 use crate::action::IntakeAction;
 use crate::intake::protocol::Reply;
 use crate::tests::answered as answer;
-use crate::{Action, FileAction, Notice, Save, State, reduce};
+use crate::{Action, FileAction, Save, State, reduce};
 
 const MAP: &str = "type octile\nheight 2\nwidth 3\nmap\n...\n...\n";
 
 fn notice(state: &State) -> String {
-    let Notice {
-        sentence, details, ..
-    } = state.view.notice.clone().unwrap();
-    format!("{sentence} {}", details.join(" "))
+    let notice = state.view.notice.as_ref().unwrap();
+    format!("{} {}", notice.sentence(), notice.details().join(" "))
 }
 
 #[test]

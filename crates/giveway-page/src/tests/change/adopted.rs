@@ -92,7 +92,7 @@ fn no_plan_from_time_0_takes_the_place_of_one_that_went_on() {
         assert!(after.work.is_idle(), "{action:?}");
         assert_eq!(after.document, state.document, "{action:?}");
         if matches!(action, SolveAction::Solve | SolveAction::Plan(_)) {
-            let notice = after.view.notice.unwrap().sentence;
+            let notice = after.view.notice.unwrap().sentence();
             assert!(notice.contains("change at time 1"), "{notice}");
         }
     }

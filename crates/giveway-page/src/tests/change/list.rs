@@ -78,7 +78,7 @@ fn beside_the_board_agents_break_down_and_batteries_go_down() {
     let level = Edit::SetLevel(0, 2);
     let refused = after(&state, [Action::Edit(level)]);
     assert_eq!(list(&refused), list(&state));
-    let notice = refused.view.notice.unwrap().sentence;
+    let notice = refused.view.notice.unwrap().sentence();
     assert!(notice.contains("A1, which has no battery"), "{notice}");
 }
 
@@ -88,7 +88,7 @@ fn what_contradicts_the_world_is_refused_and_nothing_changes() {
     let state = after(&changing(), stroke(Tool::Obstacle, &[(1, 0)]));
     assert_eq!(list(&state), Vec::<String>::new());
     assert_eq!(
-        state.view.notice.unwrap().sentence,
+        state.view.notice.unwrap().sentence(),
         "This contradicts the world: found an obstacle at (1, 0), where A1 is at time 1, \
          expected a cell that is free then."
     );

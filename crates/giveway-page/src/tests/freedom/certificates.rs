@@ -42,7 +42,7 @@ fn saved(state: &State) -> (Vec<String>, Notice) {
         assert!(report.accepted, "{name}: {report:?}");
     }
     let told = state.view.notice.clone().expect("it is told");
-    assert_eq!(told.sentence, format!("{} is saved.", packed.name));
+    assert_eq!(told.sentence(), format!("{} is saved.", packed.name));
     let done = after(&state, [Action::Intake(IntakeAction::Saved)]);
     assert_eq!((&done.intake.packed, done.intake.job()), (&None, None));
     (bundles.into_keys().collect(), told)
@@ -64,7 +64,7 @@ fn all_claims_are_saved_each_with_files_that_hold() {
     let robots = names.iter().filter(|name| name.starts_with("robot-"));
     assert_eq!(robots.count(), fixed.count(), "{names:?}");
     assert_eq!(
-        told.details,
+        told.details(),
         [
             format!("It holds {} certificates, all checked.", names.len()),
             "Anyone can check it again without this page: \

@@ -267,7 +267,7 @@ fn where_it_cannot_be_told_it_says_why() {
             .view
             .notice
             .unwrap()
-            .sentence
+            .sentence()
             .contains("Solve first")
     );
     assert_eq!(refused.work.request(), None);

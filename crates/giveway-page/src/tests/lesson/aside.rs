@@ -128,7 +128,7 @@ fn a_file_that_cannot_be_read_leaves_the_lesson_as_it_is() {
     assert_eq!(refused.document, lesson.document);
     assert_eq!(refused.lesson, lesson.lesson);
     let notice = refused.view.notice.as_ref().unwrap();
-    assert_eq!(notice.sentence, "It cannot be read.");
+    assert_eq!(notice.sentence(), "It cannot be read.");
     assert!(refused.intake.job().is_none());
     // A scene that nobody can solve is refused likewise.
     let found = |scene| {
@@ -197,7 +197,7 @@ fn what_a_step_does_without_is_refused_with_why() {
     let refused = after(&lesson, [picks(Tool::Erase)]);
     assert_eq!(refused.view.tool, Tool::Select);
     assert_eq!(
-        refused.view.notice.unwrap().sentence,
+        refused.view.notice.unwrap().sentence(),
         "This step does without that tool."
     );
     let question = ask::offers(&sample::solved())[0].offers[0].question.clone();
@@ -210,7 +210,7 @@ fn what_a_step_does_without_is_refused_with_why() {
         assert_eq!(refused.document, lesson.document);
         assert!(refused.work.is_idle());
         assert_eq!(
-            refused.view.notice.unwrap().sentence,
+            refused.view.notice.unwrap().sentence(),
             "Leave the lesson before you do this."
         );
     }

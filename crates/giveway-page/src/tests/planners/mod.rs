@@ -116,7 +116,7 @@ fn what_a_planner_cannot_do_it_says_and_the_plan_stays() {
     let before = sample::solved();
     let state = planned(&before, Planner::Pibt);
     let said = "Not for this planner: PIBT cannot plan for waypoints, and A1 has some.";
-    assert_eq!(state.view.notice.as_ref().unwrap().sentence, said);
+    assert_eq!(state.view.notice.as_ref().unwrap().sentence(), said);
     assert_eq!(state.document.answer, before.document.answer);
     assert!(!state.history.can_undo(), "nothing has changed");
     let [search, pibt] = &rows(&state)[..] else {
@@ -138,10 +138,10 @@ fn that_no_order_works_is_not_that_there_is_no_plan() {
     let scene = page(&["aB.bA"], &[Cost::Makespan]);
     let state = planned(&scene, Planner::Prioritised);
     let notice = state.view.notice.clone().unwrap();
-    assert!(notice.sentence.contains("orders works"), "{notice:?}");
-    assert!(!notice.sentence.contains("exists"), "{notice:?}");
+    assert!(notice.sentence().contains("orders works"), "{notice:?}");
+    assert!(!notice.sentence().contains("exists"), "{notice:?}");
     assert_eq!(
-        notice.details,
+        notice.details(),
         ["Another order or another planner may find a plan."]
     );
     assert_eq!(state.phase(), Phase::Editing, "nothing is claimed");

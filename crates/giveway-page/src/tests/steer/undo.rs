@@ -52,7 +52,7 @@ fn the_scene_stays_as_it_is() {
     ];
     for edit in edits {
         let next = after(&state, [edit.clone()]);
-        let why = next.view.notice.clone().map(|notice| notice.sentence);
+        let why = next.view.notice.clone().map(|notice| notice.sentence());
         assert!(
             why.is_some_and(|why| why.contains("You lead A1")),
             "{edit:?}"

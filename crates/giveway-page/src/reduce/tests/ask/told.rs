@@ -150,7 +150,7 @@ fn what_is_not_so_is_refused_with_what_is() {
     };
     let state = after(&solved(), [Action::Ask(AskAction::Ask(wait))]);
     let notice = state.view.notice.unwrap();
-    assert!(notice.sentence.contains("does not wait"), "{notice:?}");
+    assert!(notice.sentence().contains("does not wait"), "{notice:?}");
     assert!(state.work.is_idle());
 }
 

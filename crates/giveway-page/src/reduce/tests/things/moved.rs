@@ -40,7 +40,7 @@ fn without_a_selection_a_goal_is_drawn_from_the_agent() {
         none.view
             .notice
             .unwrap()
-            .sentence
+            .sentence()
             .starts_with("Press a robot first")
     );
 }
