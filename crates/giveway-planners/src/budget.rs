@@ -6,8 +6,8 @@ mod stop;
 
 use std::rc::Rc;
 
-pub(crate) use counted::Counted;
-pub use held::{Held, HeldBytes};
+pub(crate) use counted::CountedBudget;
+pub use held::{HeldBytes, MemoryUse};
 pub(crate) use stop::MOST_TIMES;
 pub use stop::Stop;
 
@@ -37,12 +37,12 @@ pub trait Budget {
     fn held_bytes(&self) -> &HeldBytes;
 
     /// Counts memory for as long as what is returned is there, in bytes.
-    fn hold(&self, bytes: usize) -> Held {
-        Held::new(self.held_bytes(), bytes)
+    fn hold(&self, bytes: usize) -> MemoryUse {
+        MemoryUse::new(self.held_bytes(), bytes)
     }
 
     /// Counts further memory of something, in bytes.
-    fn hold_more(&self, held: &mut Held, bytes: usize) {
+    fn hold_more(&self, held: &mut MemoryUse, bytes: usize) {
         held.more(self.held_bytes(), bytes);
     }
 }

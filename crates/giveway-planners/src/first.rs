@@ -5,7 +5,7 @@
 //! collisions are repaired in small groups.
 
 use crate::{
-    budget::{Budget, Counted, Stop},
+    budget::{Budget, CountedBudget, Stop},
     lacam::{Options, lacam},
     local::repair,
     plain::Plain,
@@ -50,7 +50,7 @@ pub fn first_plan(
         Err(_) => ORDERS,
     };
     let states = STATES_PER_AGENT.saturating_mul(problem.agents() as u64);
-    let part = Counted::new(budget, states);
+    let part = CountedBudget::new(budget, states);
     match prioritised(problem, &Order::Found { tries }, horizon, false, &part).ended {
         Ended::Found(walks) => return Ok(Some((walks, First::Prioritised))),
         Ended::NoOrderWorks(_) => {}

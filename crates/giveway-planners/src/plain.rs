@@ -167,7 +167,12 @@ fn check(agent: AgentId, task: &Task) -> Result<(), Unsupported> {
     if !matches!(task.bounds, Bounds::Free) {
         return Err(Unsupported::Bounds(agent));
     }
-    let timed = [task.not_before, task.held, task.woken, task.stood];
+    let timed = [
+        task.not_before,
+        task.earliest_move,
+        task.cost_if_it_leaves_goal,
+        task.waits_if_it_leaves_goal,
+    ];
     if task.transit.is_some() || timed != [0; 4] {
         return Err(Unsupported::UnderWay(agent));
     }

@@ -6,7 +6,9 @@ use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
     budget::{Budget, Stop},
-    single::{Bounds, CostToGo, Hopeless, MAX_WAYPOINTS, Metric, Part, Required, Task, earliest},
+    single::{
+        Bounds, CostToGo, MAX_WAYPOINTS, Metric, NoPlanAlone, Part, Required, Task, earliest,
+    },
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
@@ -52,7 +54,7 @@ pub struct Problem {
 /// Why an instance has no [`Problem`].
 pub enum ProblemError {
     /// This agent cannot do its task, or what a question asks of it, even alone.
-    Alone(usize, Hopeless),
+    Alone(usize, NoPlanAlone),
     /// This agent has more waypoints than the exact tables can bear.
     TooManyWaypoints(usize),
     /// The budget was spent.
@@ -115,7 +117,7 @@ impl Problem {
             }
             let (state, rules) = (instance.start_state(&agent.name), instance.rules());
             let task = Task::resumed(agent, state, bounds, rules, &mut problem.terrain)
-                .map_err(|hopeless| ProblemError::Alone(i, hopeless))?;
+                .map_err(|no_plan| ProblemError::Alone(i, no_plan))?;
             problem.add(i, task, budget)?;
         }
         problem.longest = problem.longest();
@@ -125,7 +127,7 @@ impl Problem {
     /// The largest of the earliest arrivals and of the ends of breakdowns: others
     /// may have to wait for an agent that has arrived and broken down.
     fn longest(&self) -> u32 {
-        let held = self.tasks.iter().map(|task| task.held);
+        let held = self.tasks.iter().map(|task| task.earliest_move);
         self.optima.iter().copied().chain(held).max().unwrap_or(0)
     }
 
@@ -133,14 +135,14 @@ impl Problem {
     pub fn least_cost(&self, agent: usize) -> u32 {
         match self.optima[agent] {
             0 => 0,
-            optimum => optimum.saturating_add(self.tasks[agent].woken),
+            optimum => optimum.saturating_add(self.tasks[agent].cost_if_it_leaves_goal),
         }
     }
 
     /// The latest arrival of an agent at which its part of the sum of costs is
     /// no more than this.
     pub fn time_of(&self, agent: usize, cost: u32) -> u32 {
-        cost.saturating_sub(self.tasks[agent].woken)
+        cost.saturating_sub(self.tasks[agent].cost_if_it_leaves_goal)
     }
 
     /// Adds an agent, or gives it another task.
@@ -158,7 +160,7 @@ impl Problem {
         }
         let cost_to_go = CostToGo::new(&task, &self.terrain, Metric::Time, budget)?;
         let optimum = earliest(&task, &self.terrain, &cost_to_go, budget)?;
-        let optimum = optimum.map_err(|hopeless| ProblemError::Alone(agent, hopeless))?;
+        let optimum = optimum.map_err(|no_plan| ProblemError::Alone(agent, no_plan))?;
         if agent < self.tasks.len() {
             self.tasks[agent] = task;
             self.cost_to_go[agent] = cost_to_go;
@@ -217,7 +219,7 @@ impl Problem {
     /// A number of steps that no plan needs to exceed: one with more comes to
     /// the same joint state twice, and what lies between can be left out, which
     /// makes no cost higher. `None` where the number is too large to be of use.
-    pub fn joint_states(&self) -> Option<u32> {
+    pub fn sufficient_horizon(&self) -> Option<u32> {
         let slow = (0..self.terrain.size() as u32).flat_map(|v| self.terrain.arcs(v));
         let places = self.terrain.size() + slow.filter(|arc| arc.slow).count();
         let mut states: u32 = 1;

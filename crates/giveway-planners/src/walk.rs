@@ -119,9 +119,9 @@ pub fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
     let goes_on = u32::from(arrival > 0);
     let mut costs = Costs {
         makespan: arrival,
-        sum_of_costs: arrival + goes_on * task.woken,
+        sum_of_costs: arrival + goes_on * task.cost_if_it_leaves_goal,
         charges: charges.map_or(0, |c| c.len() as u32),
-        waits: goes_on * task.stood,
+        waits: goes_on * task.waits_if_it_leaves_goal,
         ..Costs::default()
     };
     for pair in walk.windows(2) {
@@ -150,7 +150,7 @@ pub fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
 
 /// The walks of a plan that the judge passes, in the order of the names; `None`
 /// where it is not one over this problem.
-pub fn of_plan(problem: &Problem, names: &[String], plan: &Plan) -> Option<Vec<Walk>> {
+pub fn walks_of_plan(problem: &Problem, names: &[String], plan: &Plan) -> Option<Vec<Walk>> {
     let agents = names.iter().zip(&problem.tasks);
     let walk = |(name, task): (&String, &Task)| of_path(task, &problem.terrain, plan.path(name));
     agents.map(walk).collect()

@@ -17,7 +17,7 @@ use giveway_planners::budget as planners;
 
 use crate::{Host, Limits, Thresholds, trace::Recorder};
 
-pub(crate) use planners::{Held, HeldBytes, Stop};
+pub(crate) use planners::{HeldBytes, MemoryUse, Stop};
 use work::Work;
 
 /// Bytes that a request may hold where its limits say nothing: a browser tab
@@ -217,7 +217,7 @@ impl<'h> Budget<'h> {
     }
 
     /// Counts further memory of something, in bytes.
-    pub(crate) fn hold_more(&self, held: &mut Held, bytes: usize) {
+    pub(crate) fn hold_more(&self, held: &mut MemoryUse, bytes: usize) {
         held.more(&self.held, bytes);
     }
 }

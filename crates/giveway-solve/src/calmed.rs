@@ -5,7 +5,7 @@ use giveway_model::{Costs, Plan, check::check};
 use crate::{
     calm::calm,
     problem::Problem,
-    solve::{Task, names, start},
+    solve::{SolveTask, names, start},
     trace::{FoundBy, SearchEvent},
     walk::{Walk, to_plan},
 };
@@ -16,7 +16,7 @@ use crate::{
 /// Where the costs are proved to be the best, the calm plan has the same ones in the
 /// objective; else they may also be lower.
 pub(crate) fn calmed(
-    task: &Task,
+    task: &SolveTask,
     problem: &Problem,
     walks: &[Walk],
     (plan, costs): (Plan, Costs),

@@ -14,14 +14,14 @@ use crate::{
     Ended, FrontAnswer, SolveAnswer, Status,
     problem::Problem,
     search::{Bounded, Proved},
-    solve::{Solved, Task, answer, best, without_search},
+    solve::{SolveTask, Solved, answer, best, without_search},
 };
 
 /// Upper limits, both included, by cost.
-type Limits = BTreeMap<Cost, u32>;
+type CostLimits = BTreeMap<Cost, u32>;
 
 /// The Pareto front of an objective's costs.
-pub(crate) fn front(task: &Task) -> FrontAnswer {
+pub(crate) fn front(task: &SolveTask) -> FrontAnswer {
     let problem = match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => problem,
         Err(error) => {
@@ -33,8 +33,8 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
     let horizon = task.horizon(&problem);
     let costs = task.objective.costs();
     let mut points: BTreeMap<Vec<u32>, SolveAnswer> = BTreeMap::new();
-    let mut empty: Vec<Limits> = Vec::new();
-    let mut boxes = vec![Limits::new()];
+    let mut empty: Vec<CostLimits> = Vec::new();
+    let mut boxes = vec![CostLimits::new()];
     let mut reach: Option<Proved> = None;
     while let Some(limits) = boxes.pop() {
         if empty.iter().any(|other| contains(other, &limits)) {
@@ -84,7 +84,7 @@ pub(crate) fn front(task: &Task) -> FrontAnswer {
 }
 
 /// Whether one box lies in another.
-fn contains(outer: &Limits, inner: &Limits) -> bool {
+fn contains(outer: &CostLimits, inner: &CostLimits) -> bool {
     outer
         .iter()
         .all(|(cost, &most)| inner.get(cost).is_some_and(|&less| less <= most))

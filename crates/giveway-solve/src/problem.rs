@@ -10,7 +10,7 @@ use giveway_planners::problem as planners;
 use crate::{
     budget::{Budget, Stop},
     impose::{ImposeError, Precedence, Unmeetable, impose},
-    single::{Bounds, Hopeless},
+    single::{Bounds, NoPlanAlone},
     walk::{Walk, costs_of},
 };
 
@@ -39,9 +39,9 @@ impl DerefMut for Problem {
 
 /// The proof that an agent has no plan even alone, whatever the horizon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum HopelessAlone {
+pub(crate) enum NeverAlone {
     /// It cannot do its task.
-    Task(Hopeless),
+    Task(NoPlanAlone),
     /// It cannot meet a condition.
     Condition(Unmeetable),
 }
@@ -49,7 +49,7 @@ pub(crate) enum HopelessAlone {
 /// Why an instance has no [`Problem`].
 pub(crate) enum ProblemError {
     /// This agent cannot do its task, or what a question asks of it, even alone.
-    Alone(usize, HopelessAlone),
+    Alone(usize, NeverAlone),
     /// This agent has more waypoints than the exact tables can bear.
     TooManyWaypoints(usize),
     /// The budget was spent.
@@ -59,8 +59,8 @@ pub(crate) enum ProblemError {
 impl From<planners::ProblemError> for ProblemError {
     fn from(error: planners::ProblemError) -> Self {
         match error {
-            planners::ProblemError::Alone(agent, hopeless) => {
-                Self::Alone(agent, HopelessAlone::Task(hopeless))
+            planners::ProblemError::Alone(agent, never) => {
+                Self::Alone(agent, NeverAlone::Task(never))
             }
             planners::ProblemError::TooManyWaypoints(agent) => Self::TooManyWaypoints(agent),
             planners::ProblemError::Stopped(stop) => Self::Stopped(stop),

@@ -24,7 +24,7 @@ use crate::{SolveRequest, search::Proved};
     BorshSerialize,
     BorshDeserialize,
 )]
-#[serde(into = "Written", try_from = "Written")]
+#[serde(into = "WrittenReach", try_from = "WrittenReach")]
 pub struct Reach(Claimed);
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
@@ -37,7 +37,7 @@ enum Claimed {
 
 /// A reach as it is written.
 #[derive(Serialize, Deserialize)]
-struct Written {
+struct WrittenReach {
     complete: bool,
     within: Option<u32>,
 }
@@ -128,7 +128,7 @@ impl From<Proved> for Reach {
     }
 }
 
-impl From<Reach> for Written {
+impl From<Reach> for WrittenReach {
     fn from(reach: Reach) -> Self {
         Self {
             complete: reach.is_complete(),
@@ -137,10 +137,10 @@ impl From<Reach> for Written {
     }
 }
 
-impl TryFrom<Written> for Reach {
+impl TryFrom<WrittenReach> for Reach {
     type Error = &'static str;
 
-    fn try_from(written: Written) -> Result<Self, &'static str> {
+    fn try_from(written: WrittenReach) -> Result<Self, &'static str> {
         match (written.complete, written.within) {
             (true, None) => Ok(Self(Claimed::EveryHorizon)),
             (false, Some(makespan)) => Ok(Self(Claimed::Within(makespan))),

@@ -20,7 +20,7 @@ use crate::{
     freedom::{self, FreedomAnswer},
     pareto,
     plan::{self, PlanAnswer},
-    solve::{self, Task},
+    solve::{self, SolveTask},
     together::{self, TogetherAnswer},
 };
 
@@ -239,12 +239,15 @@ fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
 }
 
 /// The task of a request, for the instance without obstacles that move; and the instance.
-fn task<'a>(request: &SolveRequest, host: &'a dyn Host) -> Result<(Task<'a>, Instance), Refusal> {
+fn task<'a>(
+    request: &SolveRequest,
+    host: &'a dyn Host,
+) -> Result<(SolveTask<'a>, Instance), Refusal> {
     let instance =
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let objective = request.objective.clone();
     let relaxed = instance.clone().without_moving_obstacles();
-    let mut task = Task::new(relaxed, objective, request.within, request.limits, host);
+    let mut task = SolveTask::new(relaxed, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
     task.as_found = request.as_found;
     if !request.trace {

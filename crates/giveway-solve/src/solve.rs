@@ -13,11 +13,11 @@ use crate::{
     problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, Horizon, Proved, Verdict},
     trace::{Cannot, Recorder, SearchEvent, Stopped},
-    walk::{Walk, of_plan, to_plan},
+    walk::{Walk, to_plan, walks_of_plan},
 };
 
 /// The parts of a request that have been checked.
-pub(crate) struct Task<'h> {
+pub(crate) struct SolveTask<'h> {
     pub(crate) instance: Instance,
     pub(crate) objective: Objective,
     /// The horizon, where a person set one.
@@ -29,7 +29,7 @@ pub(crate) struct Task<'h> {
     pub(crate) budget: Rc<Budget<'h>>,
 }
 
-impl<'h> Task<'h> {
+impl<'h> SolveTask<'h> {
     pub(crate) fn new(
         instance: Instance,
         objective: Option<Objective>,
@@ -61,15 +61,15 @@ impl<'h> Task<'h> {
 }
 
 /// The lexicographic optimum, with its trace where the budget writes one.
-pub(crate) fn solve(task: &Task) -> Solved {
-    let mut solved = untold(task);
+pub(crate) fn solve(task: &SolveTask) -> Solved {
+    let mut solved = solve_unreported(task);
     task.budget.record(|_| end(task, &solved));
     solved.answer.trace = task.budget.trace();
     solved
 }
 
 /// The last event of a trace: what is known in the end.
-fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
+fn end(task: &SolveTask, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
     match answer.status {
         Status::Optimal => {
             let costs = answer.costs.unwrap_or_default();
@@ -91,7 +91,7 @@ fn end(task: &Task, Solved { answer, clash, .. }: &Solved) -> SearchEvent {
     }
 }
 
-fn untold(task: &Task) -> Solved {
+fn solve_unreported(task: &SolveTask) -> Solved {
     match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => {
             let bounded = Bounded {
@@ -118,7 +118,7 @@ fn untold(task: &Task) -> Solved {
 }
 
 /// What each agent needs alone, where that is known at once.
-fn tell_alone(task: &Task, problem: &Problem) {
+fn tell_alone(task: &SolveTask, problem: &Problem) {
     let budget = &task.budget;
     match task.objective.costs().first() {
         Some(Cost::Makespan) => budget.record_alone(Cost::Makespan, &problem.optima),
@@ -140,9 +140,9 @@ pub(crate) struct Solved {
 
 /// The search for the best plan: it begins with the plan that is known, and
 /// tells the host of each better one.
-pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict {
+pub(crate) fn best(task: &SolveTask, problem: &Problem, bounded: &Bounded) -> Verdict {
     let names = names(task);
-    let start = start(task).and_then(|(plan, _)| of_plan(problem, &names, &plan));
+    let start = start(task).and_then(|(plan, _)| walks_of_plan(problem, &names, &plan));
     let on_better = |walks: &[Walk], by| {
         let plan = to_plan(problem, &names, walks);
         let report = check(&task.instance, &plan);
@@ -159,7 +159,7 @@ pub(crate) fn best(task: &Task, problem: &Problem, bounded: &Bounded) -> Verdict
 }
 
 /// The plan that is known already, where the judge passes it.
-pub(crate) fn start(task: &Task) -> Option<(Plan, Costs)> {
+pub(crate) fn start(task: &SolveTask) -> Option<(Plan, Costs)> {
     let mut plan = task.start.clone()?;
     plan.cut_trailing_goals(&task.instance);
     let report = check(&task.instance, &plan);
@@ -168,13 +168,13 @@ pub(crate) fn start(task: &Task) -> Option<(Plan, Costs)> {
 }
 
 /// The agents' names, in the order of the instance.
-pub(crate) fn names(task: &Task) -> Vec<String> {
+pub(crate) fn names(task: &SolveTask) -> Vec<String> {
     let agents = task.instance.agents().iter();
     agents.map(|agent| agent.name.clone()).collect()
 }
 
 /// The answer where an agent alone decides it.
-pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
+pub(crate) fn without_search(task: &SolveTask, error: &ProblemError) -> Solved {
     let name = |i: usize| {
         task.instance
             .agents()
@@ -213,7 +213,7 @@ pub(crate) fn without_search(task: &Task, error: &ProblemError) -> Solved {
 }
 
 /// A verdict as an answer; its plan is judged before it is given away.
-pub(crate) fn answer(task: &Task, problem: &Problem, verdict: Verdict) -> Solved {
+pub(crate) fn answer(task: &SolveTask, problem: &Problem, verdict: Verdict) -> Solved {
     let names = names(task);
     let claim = (verdict.reach, verdict.stop);
     let judged = Judged::new(verdict.best, &Aim::Best, claim, |(walks, costs)| {

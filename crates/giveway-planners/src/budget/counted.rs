@@ -7,13 +7,13 @@ use super::{Budget, HeldBytes, Stop};
 /// A budget that counts how often it is asked, about once for each state that is
 /// looked at, and says no after so many times. That needs no clock, so the same
 /// search is cut off at the same place.
-pub(crate) struct Counted<'a> {
+pub(crate) struct CountedBudget<'a> {
     budget: &'a dyn Budget,
     most: u64,
     states: Cell<u64>,
 }
 
-impl<'a> Counted<'a> {
+impl<'a> CountedBudget<'a> {
     pub(crate) const fn new(budget: &'a dyn Budget, most: u64) -> Self {
         Self {
             budget,
@@ -40,7 +40,7 @@ impl<'a> Counted<'a> {
     }
 }
 
-impl Budget for Counted<'_> {
+impl Budget for CountedBudget<'_> {
     fn check(&self) -> Result<(), Stop> {
         self.is_spent()?;
         self.budget.check()

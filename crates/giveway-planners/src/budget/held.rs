@@ -8,12 +8,12 @@ pub type HeldBytes = Rc<Cell<u64>>;
 
 /// The bytes that one thing holds: counted from its making until it is dropped.
 #[derive(Default)]
-pub struct Held {
+pub struct MemoryUse {
     bytes: u64,
     of: Option<HeldBytes>,
 }
 
-impl Held {
+impl MemoryUse {
     /// Bytes held from now on.
     pub fn new(of: &HeldBytes, bytes: usize) -> Self {
         let mut held = Self::default();
@@ -39,7 +39,7 @@ impl Held {
     }
 }
 
-impl Drop for Held {
+impl Drop for MemoryUse {
     fn drop(&mut self) {
         if let Some(of) = &self.of {
             of.set(of.get().saturating_sub(self.bytes));
@@ -77,8 +77,8 @@ mod tests {
     #[test]
     fn what_is_dropped_is_free() {
         let count = HeldBytes::default();
-        let mut one = Held::new(&count, 10);
-        let other = Held::new(&count, 5);
+        let mut one = MemoryUse::new(&count, 10);
+        let other = MemoryUse::new(&count, 5);
         one.more(&count, 7);
         assert_eq!(count.get(), 22);
         one.less(12);

@@ -35,8 +35,9 @@ impl Allowance {
             charges: limit(Cost::Charges),
             moves: limit(Cost::Moves),
             // (What an agent stood before is part of every walk, and no wait of this one.)
-            waits: limit(Cost::Waits)
-                .map(|waits| waits.saturating_sub(plan.problem.tasks[agent].stood)),
+            waits: limit(Cost::Waits).map(|waits| {
+                waits.saturating_sub(plan.problem.tasks[agent].waits_if_it_leaves_goal)
+            }),
         }
     }
 }

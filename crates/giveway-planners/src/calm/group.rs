@@ -10,7 +10,7 @@ use super::{
 use crate::{
     AgentId,
     budget::{Budget, Stop},
-    local::{Others, Reservations},
+    local::{OtherAgents, Reservations},
     walk::{Walk, arrival},
 };
 use giveway_model::Cost;

@@ -21,8 +21,8 @@ use giveway_model::{Costs, Objective, sorting::sort_by_key};
 
 use crate::{
     AgentId,
-    budget::{Budget, Counted, Stop, Unlimited},
-    local::{Others, Reservations},
+    budget::{Budget, CountedBudget, Stop, Unlimited},
+    local::{OtherAgents, Reservations},
     problem::Problem,
     walk::{Walk, arrival, costs},
 };
@@ -51,7 +51,7 @@ pub fn calm(
     let agents = problem.agents() as u64;
     let states = (STATES + STATES_PER_AGENT * agents).min(MOST_STATES);
     let unlimited = Unlimited::default();
-    let budget = Counted::new(&unlimited, states);
+    let budget = CountedBudget::new(&unlimited, states);
     let mut plan = Plan::new(problem, walks, objective);
     let changeable: Vec<AgentId> = (0..walks.len())
         .filter(|&agent| may_change(agent))

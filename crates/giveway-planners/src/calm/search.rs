@@ -19,7 +19,7 @@ use super::{
 use crate::{
     AgentId,
     budget::{Budget, Stop},
-    local::Others,
+    local::OtherAgents,
     problem::Problem,
     single::{Onward, Place, State, Task},
     walk::Walk,
@@ -51,7 +51,7 @@ pub(super) struct Found {
 /// When the budget is spent.
 pub(super) fn plan_one(
     problem: &Problem,
-    others: &impl Others,
+    others: &impl OtherAgents,
     query: Query,
     budget: &dyn Budget,
 ) -> Result<Found, Stop> {
@@ -112,7 +112,7 @@ struct Search<'a, O> {
     blockers: RefCell<BTreeSet<AgentId>>,
 }
 
-impl<O: Others> Search<'_, O> {
+impl<O: OtherAgents> Search<'_, O> {
     fn run(&mut self, budget: &dyn Budget) -> Result<Option<Walk>, Stop> {
         let Some(first) = self.task.first() else {
             return Ok(None);

@@ -9,7 +9,7 @@ use crate::{
     local::apart,
     problem::Problem,
     tests::{instance, random},
-    walk::{Walk, of_plan, to_plan},
+    walk::{Walk, to_plan, walks_of_plan},
 };
 
 fn objective(costs: &[Cost]) -> Objective {
@@ -42,7 +42,7 @@ fn walks(instance: &Instance, problem: &Problem, paths: &[&str]) -> Vec<Walk> {
         };
         plan.paths.insert(name, path.split(' ').map(cell).collect());
     }
-    of_plan(problem, &names(instance), &plan).unwrap()
+    walks_of_plan(problem, &names(instance), &plan).unwrap()
 }
 
 /// A calmed plan in the place of the paths; no cost of the objective is higher.

@@ -9,14 +9,14 @@ use crate::{AgentId, problem::Problem};
 
 /// A cost that conflict-based search can make least.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Aim {
+pub enum CbsCost {
     /// The latest arrival.
     Makespan,
     /// The sum of arrivals.
     SumOfCosts,
 }
 
-impl Aim {
+impl CbsCost {
     /// The first cost of an objective, where it is one of these.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl Aim {
 fn own_cost(problem: &Problem, agent: AgentId, arrival: u32) -> u32 {
     match arrival {
         0 => 0,
-        arrival => arrival.saturating_add(problem.tasks[agent].woken),
+        arrival => arrival.saturating_add(problem.tasks[agent].cost_if_it_leaves_goal),
     }
 }
 
@@ -85,7 +85,7 @@ pub struct LowerBound {
 
 impl LowerBound {
     /// From the least cost of what is open in the constraint tree.
-    pub(super) fn new(problem: &Problem, aim: Aim, open: Option<u32>, horizon: u32) -> Self {
+    pub(super) fn new(problem: &Problem, aim: CbsCost, open: Option<u32>, horizon: u32) -> Self {
         let beyond = aim.beyond(problem, horizon);
         Self {
             cost: aim.cost(),
@@ -114,7 +114,7 @@ pub struct Proved {
 
 impl Proved {
     /// The plan is the first of the open list without a conflict.
-    pub(super) fn new(problem: &Problem, aim: Aim, least: u32, horizon: u32) -> Self {
+    pub(super) fn new(problem: &Problem, aim: CbsCost, least: u32, horizon: u32) -> Self {
         Self {
             bound: LowerBound::new(problem, aim, Some(least), horizon),
             least,

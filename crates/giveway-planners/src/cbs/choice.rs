@@ -3,7 +3,7 @@
 //! ICBS (Boyarski et al. 2015). The MDD of an agent tells whether all its
 //! shortest walks run into the conflict, so that avoiding it costs time.
 
-use super::conflict::{Conflict, Kind};
+use super::conflict::{Conflict, ConflictKind};
 use super::node::Way;
 use crate::{AgentId, problem::Problem};
 
@@ -45,13 +45,13 @@ fn cardinality(problem: &Problem, conflict: &Conflict, ways: &[Way]) -> Cardinal
         let mdd = &way.mdd;
         let is_first = agent == conflict.first;
         match conflict.kind {
-            Kind::Swap { arc, time } => {
+            ConflictKind::Swap { arc, time } => {
                 let arc = if is_first { arc } else { arc ^ 1 };
                 mdd.always_crosses(arc, time)
             }
             // Who rests there would have to arrive later.
-            Kind::Target { .. } if is_first => true,
-            Kind::Vertex { v, time } | Kind::Target { v, time } => {
+            ConflictKind::Target { .. } if is_first => true,
+            ConflictKind::Vertex { v, time } | ConflictKind::Target { v, time } => {
                 mdd.is_always_at(problem, v, time)
             }
         }

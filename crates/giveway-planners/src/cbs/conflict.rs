@@ -15,7 +15,7 @@ use crate::{
     missing_docs,
     reason = "the sentence of a variant says what its fields are"
 )]
-pub enum Kind {
+pub enum ConflictKind {
     /// Both are at a vertex at a time.
     Vertex { v: Vertex, time: u32 },
     /// The first crosses an arc while the second crosses it the other way, both
@@ -25,7 +25,7 @@ pub enum Kind {
     Target { v: Vertex, time: u32 },
 }
 
-impl Kind {
+impl ConflictKind {
     /// When it happens.
     pub const fn time(self) -> u32 {
         match self {
@@ -42,7 +42,7 @@ pub struct Conflict {
     /// The second of them.
     pub second: AgentId,
     /// How they meet.
-    pub kind: Kind,
+    pub kind: ConflictKind,
 }
 
 impl Conflict {
@@ -50,9 +50,11 @@ impl Conflict {
     /// without this conflict keeps one.
     pub(super) fn split(&self) -> [Constraint; 2] {
         let (negative, positive) = match self.kind {
-            Kind::Vertex { v, time } => (Rule::NotAt { v, time }, Rule::At { v, time }),
-            Kind::Swap { arc, time } => (Rule::NotCross { arc, time }, Rule::Cross { arc, time }),
-            Kind::Target { time, .. } => (Rule::ArriveAfter(time), Rule::ArriveBy(time)),
+            ConflictKind::Vertex { v, time } => (Rule::NotAt { v, time }, Rule::At { v, time }),
+            ConflictKind::Swap { arc, time } => {
+                (Rule::NotCross { arc, time }, Rule::Cross { arc, time })
+            }
+            ConflictKind::Target { time, .. } => (Rule::ArriveAfter(time), Rule::ArriveBy(time)),
         };
         [negative, positive].map(|rule| Constraint {
             agent: self.first,
@@ -82,13 +84,13 @@ pub(super) fn between(
         };
         match (walk.get(time), other.get(time)) {
             (Some(&Place::At(v)), Some(&Place::At(u))) if u == v => {
-                add(a, b, Kind::Vertex { v, time: now });
+                add(a, b, ConflictKind::Vertex { v, time: now });
             }
             (None, Some(&Place::At(v))) if is_at_rest(problem, a, walk, v) => {
-                add(a, b, Kind::Target { v, time: now });
+                add(a, b, ConflictKind::Target { v, time: now });
             }
             (Some(&Place::At(v)), None) if is_at_rest(problem, b, other, v) => {
-                add(b, a, Kind::Target { v, time: now });
+                add(b, a, ConflictKind::Target { v, time: now });
             }
             _ => {}
         }
@@ -98,7 +100,7 @@ pub(super) fn between(
             add(
                 a,
                 b,
-                Kind::Swap {
+                ConflictKind::Swap {
                     arc: arc.id,
                     time: now,
                 },

@@ -12,8 +12,8 @@ use std::collections::BTreeMap;
 use super::rulebook::Rulebook;
 use crate::{
     AgentId,
-    budget::{Budget, Held, Stop},
-    local::{Others, Reservations},
+    budget::{Budget, MemoryUse, Stop},
+    local::{OtherAgents, Reservations},
     problem::Problem,
     single::{Place, State},
     terrain::Vertex,
@@ -30,7 +30,7 @@ struct Node {
 pub(super) struct Mdd {
     agent: AgentId,
     layers: Vec<Vec<Node>>,
-    _held: Held,
+    _held: MemoryUse,
 }
 
 impl Mdd {

@@ -21,14 +21,14 @@ mod trace;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-pub use aim::{Aim, LowerBound, Proved};
+pub use aim::{CbsCost, LowerBound, Proved};
 pub use choice::Cardinality;
-pub use conflict::{Conflict, Kind};
+pub use conflict::{Conflict, ConflictKind};
 pub use constraint::{Constraint, Rule};
 pub use trace::{Fate, Tree, TreeNode};
 
 use crate::{
-    budget::{Budget, Held, Stop},
+    budget::{Budget, MemoryUse, Stop},
     problem::Problem,
     walk::Walk,
 };
@@ -63,7 +63,7 @@ pub struct Outcome {
 /// Looks for a plan of least cost, no walk longer than the horizon.
 pub fn search(
     problem: &Problem,
-    aim: Aim,
+    aim: CbsCost,
     horizon: u32,
     traced: bool,
     budget: &dyn Budget,
@@ -103,9 +103,9 @@ type Key = (u32, usize, Reverse<u64>);
 
 struct Search<'p> {
     problem: &'p Problem,
-    aim: Aim,
+    aim: CbsCost,
     horizon: u32,
-    open: BTreeMap<Key, (Node, Held)>,
+    open: BTreeMap<Key, (Node, MemoryUse)>,
     /// The nodes made, and those taken out.
     made: u64,
     taken: u64,

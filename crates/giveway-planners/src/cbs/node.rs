@@ -11,7 +11,7 @@ use super::{
 use crate::{
     AgentId,
     budget::{Budget, Stop},
-    local::{Others, Reservations},
+    local::{OtherAgents, Reservations},
     problem::Problem,
     single::Place,
     walk::{Walk, arrival},

@@ -36,7 +36,7 @@ impl Search<'_> {
         self.link(from, to);
         self.rewire(from);
         let next = if self.rng.u8(..RESTART) == 0 { 0 } else { to };
-        if !self.is_hopeless(next) {
+        if !self.cannot_improve(next) {
             self.open.push(next);
         }
     }
@@ -60,7 +60,7 @@ impl Search<'_> {
                 node.loss = loss;
                 node.parent = Some(from);
                 queue.push(to);
-                if self.goal.is_some() && !self.is_hopeless(to) {
+                if self.goal.is_some() && !self.cannot_improve(to) {
                     self.open.push(to);
                 }
             }

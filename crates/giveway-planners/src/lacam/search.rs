@@ -8,7 +8,7 @@ use super::{
     trace::{Event, Made, Trace},
 };
 use crate::{
-    budget::{Budget, Held, Stop},
+    budget::{Budget, MemoryUse, Stop},
     chance::shuffle,
     pibt::{Guide, Priorities, Ranks, Step},
     plain::Plain,
@@ -34,7 +34,7 @@ pub(super) struct Search<'s> {
     told: u64,
     /// Where the first agents have to go, in the step that is made.
     path: Vec<Vertex>,
-    held: Held,
+    held: MemoryUse,
     pub(super) steps: u64,
     /// The steps after which it ends where there is no plan yet.
     pub(super) patience: u64,
@@ -94,7 +94,7 @@ impl<'s> Search<'s> {
                 Some(_) => Ended::LeastLoss,
             }));
         };
-        if self.is_hopeless(from) {
+        if self.cannot_improve(from) {
             self.open.pop();
             return Ok(None);
         }
@@ -130,7 +130,7 @@ impl<'s> Search<'s> {
     }
 
     /// Whether no better plan goes by way of this one, as far as is known.
-    pub(super) fn is_hopeless(&self, id: ConfigurationId) -> bool {
+    pub(super) fn cannot_improve(&self, id: ConfigurationId) -> bool {
         let bound = self.explored.nodes[id as usize].bound();
         let goal = self.goal.map(|goal| &self.explored.nodes[goal as usize]);
         goal.is_some_and(|goal| bound >= goal.loss)
@@ -187,7 +187,7 @@ impl<'s> Search<'s> {
         let bytes = self.explored.bytes_each() + node.constraints.bytes();
         self.budget.hold_more(&mut self.held, bytes);
         let id = self.explored.add(cells, node);
-        if !self.is_hopeless(id) {
+        if !self.cannot_improve(id) {
             self.open.push(id);
         }
         id

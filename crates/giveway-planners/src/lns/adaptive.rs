@@ -7,7 +7,7 @@ use fastrand::Rng;
 
 /// How agents are chosen together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum Neighbourhood {
     /// A delayed agent, and those that it meets where it walks about at random
     /// without becoming later.
     Delay,
@@ -19,7 +19,12 @@ pub(super) enum Kind {
     Random,
 }
 
-const KINDS: [Kind; 4] = [Kind::Delay, Kind::OwnWay, Kind::Crossing, Kind::Random];
+const KINDS: [Neighbourhood; 4] = [
+    Neighbourhood::Delay,
+    Neighbourhood::OwnWay,
+    Neighbourhood::Crossing,
+    Neighbourhood::Random,
+];
 
 /// The weight at the beginning, and the least.
 const FIRST: u64 = 10_000;
@@ -36,7 +41,7 @@ impl Default for Adaptive {
 
 impl Adaptive {
     /// A kind, by chance and weight.
-    pub(super) fn choose(&self, rng: &mut Rng) -> Kind {
+    pub(super) fn choose(&self, rng: &mut Rng) -> Neighbourhood {
         let mut left = rng.u64(..self.0.iter().sum::<u64>().max(1));
         for (kind, &weight) in KINDS.into_iter().zip(&self.0) {
             if left < weight {
@@ -44,12 +49,12 @@ impl Adaptive {
             }
             left -= weight;
         }
-        Kind::Random
+        Neighbourhood::Random
     }
 
     /// Notes what a kind has gained: its weight becomes 0.99 of what it was, plus 100 for each step
     /// of gain.
-    pub(super) fn learn(&mut self, kind: Kind, gain: u32) {
+    pub(super) fn learn(&mut self, kind: Neighbourhood, gain: u32) {
         for (other, weight) in KINDS.into_iter().zip(&mut self.0) {
             if other == kind {
                 let learnt = *weight - *weight / 100 + u64::from(gain) * 100;

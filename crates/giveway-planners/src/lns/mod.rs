@@ -20,8 +20,8 @@ use giveway_model::Objective;
 
 use crate::{
     AgentId,
-    budget::{Budget, Counted, Stop},
-    local::{Others, Reservations, Timetable},
+    budget::{Budget, CountedBudget, Stop},
+    local::{OtherAgents, Reservations, Timetable},
     problem::Problem,
     walk::Walk,
 };
@@ -73,7 +73,7 @@ impl Lns {
         objective: &Objective,
         budget: &dyn Budget,
     ) -> Result<bool, Stop> {
-        let counted = Counted::new(budget, u64::MAX);
+        let counted = CountedBudget::new(budget, u64::MAX);
         match Timetable::of(problem, walks) {
             Some(table) => self.rounds(table, walks, effort, objective, &counted),
             None => self.rounds(
@@ -86,13 +86,13 @@ impl Lns {
         }
     }
 
-    fn rounds<O: Others>(
+    fn rounds<O: OtherAgents>(
         &mut self,
         others: O,
         walks: &mut [Walk],
         effort: Effort,
         objective: &Objective,
-        counted: &Counted,
+        counted: &CountedBudget,
     ) -> Result<bool, Stop> {
         let mut plan = Plan::new(others, walks, objective, effort.horizon);
         let first = plan.vector();

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-use super::{adaptive::Kind, replan::Plan};
+use super::{adaptive::Neighbourhood, replan::Plan};
 use crate::{
     AgentId,
     chance::{below, shuffle},
-    local::Others,
+    local::OtherAgents,
     single::Place,
     terrain::Vertex,
     walk::arrival,
@@ -26,22 +26,22 @@ pub(super) struct Neighbourhoods<'a, 'w, O> {
     pub(super) tabu: &'a mut BTreeSet<AgentId>,
 }
 
-impl<O: Others> Neighbourhoods<'_, '_, O> {
+impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
     /// Agents in the order in which they are planned; `None` where no agent is
     /// delayed, so that nothing is to be gained.
-    pub(super) fn choose(&mut self, kind: Kind) -> Option<Vec<AgentId>> {
+    pub(super) fn choose(&mut self, kind: Neighbourhood) -> Option<Vec<AgentId>> {
         let agents = self.plan.walks.len();
         let seed = self.delayed()?;
         let (fewest, most) = SIZES;
         let size = (fewest + below(self.rng, most + 1 - fewest)).min(agents);
         let mut group = match kind {
-            Kind::Delay => self.by_delay(seed, size),
-            Kind::OwnWay => self.by_own_way(seed),
-            Kind::Crossing => self.by_crossing(size),
-            Kind::Random => Vec::new(),
+            Neighbourhood::Delay => self.by_delay(seed, size),
+            Neighbourhood::OwnWay => self.by_own_way(seed),
+            Neighbourhood::Crossing => self.by_crossing(size),
+            Neighbourhood::Random => Vec::new(),
         };
         group.truncate(size);
-        while group.len() < size.min(2) || (kind == Kind::Random && group.len() < size) {
+        while group.len() < size.min(2) || (kind == Neighbourhood::Random && group.len() < size) {
             let other = below(self.rng, agents);
             if !group.contains(&other) {
                 group.push(other);

@@ -2,11 +2,11 @@
 
 use giveway_model::{Cost, Costs, Objective};
 
-use super::tally::Tally;
+use super::tally::PlanCosts;
 use crate::{
     AgentId,
     budget::{Budget, Stop},
-    local::{Others, Query},
+    local::{OtherAgents, Query},
     problem::Problem,
     walk::{Walk, arrival, costs_of},
 };
@@ -20,10 +20,10 @@ pub(super) struct Plan<'a, O> {
     pub(super) walks: &'a mut [Walk],
     objective: &'a Objective,
     horizon: u32,
-    pub(super) tally: Tally,
+    pub(super) tally: PlanCosts,
 }
 
-impl<'a, O: Others> Plan<'a, O> {
+impl<'a, O: OtherAgents> Plan<'a, O> {
     /// A plan, with the walks of all agents as those of others.
     pub(super) fn new(
         others: O,
@@ -31,7 +31,7 @@ impl<'a, O: Others> Plan<'a, O> {
         objective: &'a Objective,
         horizon: u32,
     ) -> Self {
-        let tally = Tally::new(others.problem(), walks);
+        let tally = PlanCosts::new(others.problem(), walks);
         Self {
             others,
             walks,

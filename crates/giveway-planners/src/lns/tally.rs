@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// The costs of each agent, and of all.
-pub(super) struct Tally {
+pub(super) struct PlanCosts {
     own: Vec<Costs>,
     /// The sums of all; the makespan is in `arrivals`.
     sums: Costs,
@@ -21,7 +21,7 @@ pub(super) struct Tally {
     delays: BTreeSet<(u32, AgentId)>,
 }
 
-impl Tally {
+impl PlanCosts {
     /// Of one walk for each agent.
     pub(super) fn new(problem: &Problem, walks: &[Walk]) -> Self {
         let mut tally = Self {

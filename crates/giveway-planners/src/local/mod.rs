@@ -12,7 +12,7 @@ mod space_time;
 mod tests;
 mod timetable;
 
-pub use others::Others;
+pub use others::OtherAgents;
 pub use repair::{apart, repair};
 pub use reservations::Reservations;
 pub use space_time::{DEAR, Query, plan_one};

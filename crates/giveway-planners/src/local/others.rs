@@ -14,7 +14,7 @@ use crate::{
 use super::{Query, space_time};
 
 /// The walks of some agents, indexed by what they use.
-pub trait Others {
+pub trait OtherAgents {
     /// The problem that they are walks of.
     fn problem(&self) -> &Problem;
 

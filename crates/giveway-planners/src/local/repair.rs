@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-use super::{Others, Query, Reservations, plan_one, space_time::DEAR};
+use super::{OtherAgents, Query, Reservations, plan_one, space_time::DEAR};
 use crate::{
     AgentId,
     budget::{Budget, Stop},

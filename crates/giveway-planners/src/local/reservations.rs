@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use rustc_hash::FxBuildHasher;
 use smallvec::SmallVec;
 
-use super::Others;
+use super::OtherAgents;
 use crate::{
     AgentId,
     problem::Problem,
@@ -63,7 +63,7 @@ impl<'p> Reservations<'p> {
     }
 }
 
-impl Others for Reservations<'_> {
+impl OtherAgents for Reservations<'_> {
     fn problem(&self) -> &Problem {
         self.problem
     }

@@ -6,7 +6,7 @@
 //! end. Waypoints are part of the state; a slow move takes two steps, in the middle
 //! of which the agent is at no vertex.
 
-use super::{Others, Query, timetable::Timetable};
+use super::{OtherAgents, Query, timetable::Timetable};
 use crate::{
     budget::{Budget, Stop},
     single::{Mask, Place, Task},

@@ -9,7 +9,7 @@ use std::collections::BinaryHeap;
 
 use rustc_hash::FxBuildHasher;
 
-use super::Others;
+use super::OtherAgents;
 use crate::{
     AgentId,
     budget::{Budget, Stop},
@@ -58,7 +58,7 @@ type Key = (u32, u32, Reverse<u32>, u32);
 /// When the budget is spent.
 pub fn plan_one(
     problem: &Problem,
-    others: &impl Others,
+    others: &impl OtherAgents,
     query: Query,
     budget: &dyn Budget,
 ) -> Result<Option<(Walk, u32)>, Stop> {
@@ -111,7 +111,7 @@ struct SpaceTimeAStar<'a, O> {
 
 const NO_PARENT: u32 = u32::MAX;
 
-impl<O: Others> SpaceTimeAStar<'_, O> {
+impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
     fn run(&mut self, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop> {
         let task = &self.problem.tasks[self.query.agent];
         let collisions = match task.first_place() {

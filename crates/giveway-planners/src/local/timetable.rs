@@ -4,7 +4,7 @@
 //! What lies between them are the safe intervals of Phillips and Likhachev,
 //! "SIPP: Safe interval path planning for dynamic environments" (2011).
 
-use super::{Others, Query, safe_interval::Sipp};
+use super::{OtherAgents, Query, safe_interval::Sipp};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
@@ -132,7 +132,7 @@ impl<'p> Timetable<'p> {
     }
 }
 
-impl Others for Timetable<'_> {
+impl OtherAgents for Timetable<'_> {
     fn problem(&self) -> &Problem {
         self.problem
     }

@@ -10,7 +10,7 @@
 use super::buckets::Buckets;
 use crate::{
     AgentId,
-    budget::{Budget, Held, Stop},
+    budget::{Budget, MemoryUse, Stop},
     plain::Plain,
     terrain::{Arc, Vertex},
 };
@@ -27,7 +27,7 @@ const MOST_BYTES: usize = 64_000_000;
 pub(crate) struct Guide {
     vertices: usize,
     costs: Vec<u32>,
-    _held: Held,
+    _held: MemoryUse,
 }
 
 impl Guide {

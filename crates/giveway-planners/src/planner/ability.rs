@@ -70,6 +70,6 @@ fn is_asked_for_more(task: &Task) -> bool {
     !task.conditions.is_empty()
         || !task.not_resting.is_empty()
         || task.transit.is_some()
-        || (task.not_before, task.held) != (0, 0)
+        || (task.not_before, task.earliest_move) != (0, 0)
         || !matches!(task.bounds, Bounds::Free)
 }

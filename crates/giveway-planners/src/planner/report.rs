@@ -6,7 +6,7 @@ use crate::{
     cbs::{LowerBound, Proved, Tree},
     lacam,
     pibt::Inheritance,
-    prioritised::{Attempt, Stuck},
+    prioritised::{OrderAttempt, Stuck},
     walk::Walk,
 };
 
@@ -124,7 +124,7 @@ pub enum Halt {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Trace {
     /// The orders that were tried.
-    Prioritised(Vec<Attempt>),
+    Prioritised(Vec<OrderAttempt>),
     /// The constraint tree.
     Cbs(Tree),
     /// Who inherited whose priority, each with the time at which its step begins.

@@ -3,12 +3,12 @@
 use super::{Asked, Best, Halt, Inability, Outcome, Report, Trace};
 use crate::{
     budget::Budget,
-    cbs::{Aim, Ended, search},
+    cbs::{CbsCost, Ended, search},
 };
 
 /// Plans by a constraint tree.
 pub(super) fn cbs(asked: &Asked, mut best: Best, budget: &dyn Budget) -> Report {
-    let aim = match Aim::of(asked.objective) {
+    let aim = match CbsCost::of(asked.objective) {
         Ok(aim) => aim,
         Err(cost) => return Report::refused(Inability::Cost(cost)),
     };

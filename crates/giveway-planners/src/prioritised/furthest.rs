@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::{
     AgentId,
     budget::{Budget, Stop},
-    local::Others,
+    local::OtherAgents,
     single::Place,
     terrain::Vertex,
     walk::Walk,
@@ -21,7 +21,7 @@ type Layer = BTreeMap<Vertex, (Vertex, usize)>;
 /// # Errors
 /// When the budget is spent.
 pub(super) fn furthest(
-    others: &impl Others,
+    others: &impl OtherAgents,
     agent: AgentId,
     horizon: u32,
     budget: &dyn Budget,

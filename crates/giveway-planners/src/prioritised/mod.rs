@@ -15,13 +15,13 @@ use std::collections::BTreeSet;
 
 use fastrand::Rng;
 
-pub use trace::{Attempt, Planned, Stuck};
+pub use trace::{OrderAttempt, Planned, Stuck};
 
 use crate::{
     AgentId,
     budget::{Budget, Stop},
     chance::shuffle,
-    local::{Others, Query, Reservations, Timetable},
+    local::{OtherAgents, Query, Reservations, Timetable},
     problem::Problem,
     walk::{Walk, arrival},
 };
@@ -63,7 +63,7 @@ pub struct Outcome {
     /// How many orders were tried.
     pub tried: u32,
     /// What happened in each, where that was asked for.
-    pub attempts: Option<Vec<Attempt>>,
+    pub attempts: Option<Vec<OrderAttempt>>,
 }
 
 /// Attempts that are told at most.
@@ -88,7 +88,7 @@ pub fn prioritised(
     let mut orders = Orders::new(problem, order);
     let mut current = orders.first();
     outcome.ended = loop {
-        let mut attempt = Attempt {
+        let mut attempt = OrderAttempt {
             order: current.clone(),
             planned: Vec::new(),
             stuck: None,
@@ -168,12 +168,12 @@ impl Orders {
     }
 }
 
-impl Attempt {
+impl OrderAttempt {
     /// Plans in its order, from nobody on; the walks are by agent, and a plan
     /// unless one is stuck. So many places are still told of them.
     fn run(
         &mut self,
-        mut others: impl Others,
+        mut others: impl OtherAgents,
         horizon: u32,
         traced: bool,
         places: &mut usize,
@@ -223,7 +223,7 @@ impl Attempt {
 
 /// Whom an agent would meet on the way that it would take alone.
 fn in_the_way(
-    others: &mut impl Others,
+    others: &mut impl OtherAgents,
     agent: AgentId,
     budget: &dyn Budget,
 ) -> Result<Vec<AgentId>, Stop> {

@@ -29,7 +29,7 @@ pub struct Stuck {
 
 /// One order, from its first agent on.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Attempt {
+pub struct OrderAttempt {
     /// The order.
     pub order: Vec<AgentId>,
     /// Who got a walk, in that order.

@@ -12,7 +12,7 @@ use super::{
     task::{Mask, Task},
 };
 use crate::{
-    budget::Held,
+    budget::MemoryUse,
     budget::{Budget, Stop},
     terrain::{Terrain, Vertex},
 };
@@ -51,7 +51,7 @@ struct Label {
 /// The table of one agent and metric.
 pub struct CostToGo {
     table: Table,
-    _held: Held,
+    _held: MemoryUse,
 }
 
 enum Table {

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{CostToGo, Hopeless, Place, Required, State, Task, task::Mask};
+use super::{CostToGo, NoPlanAlone, Place, Required, State, Task, task::Mask};
 use crate::{
     budget::{Budget, MOST_TIMES, Stop},
     terrain::Terrain,
@@ -16,7 +16,7 @@ use crate::{
 fn at_rest(task: &Task, terrain: &Terrain, cost_to_go: &CostToGo, first: State) -> Option<u32> {
     let (v, delay) = (task.start, task.delay());
     let steps = cost_to_go.from(v, first.mask, first.battery);
-    let held = task.held.saturating_sub(delay);
+    let held = task.earliest_move.saturating_sub(delay);
     if held == 0 || steps == Some(0) {
         return Some(delay + steps?);
     }
@@ -39,37 +39,38 @@ pub fn earliest(
     terrain: &Terrain,
     cost_to_go: &CostToGo,
     budget: &dyn Budget,
-) -> Result<Result<u32, Hopeless>, Stop> {
-    let hopeless = Hopeless::by_exact_tables();
+) -> Result<Result<u32, NoPlanAlone>, Stop> {
+    let no_plan = NoPlanAlone::by_exact_tables();
     let Some(first) = task.first() else {
-        return Ok(Err(hopeless));
+        return Ok(Err(no_plan));
     };
     let table = at_rest(task, terrain, cost_to_go, first);
     let Some(table) = table.map(|table| table.max(task.not_before)) else {
-        return Ok(Err(hopeless));
+        return Ok(Err(no_plan));
     };
     let conditions = &task.conditions;
     // Alone it has no need to wait, but for a breakdown before its arrival.
     let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
     if !arrives {
         let delayed = (0..task.delay()).map(|_| task.first_place());
-        let held = (task.delay()..=task.held).map(|_| Place::At(task.start));
+        let held = (task.delay()..=task.earliest_move).map(|_| Place::At(task.start));
         let walk: Vec<Place> = delayed.chain(held).collect();
         if !conditions.waits.iter().all(|wait| wait.is_kept(&walk)) {
-            return Ok(Err(hopeless));
+            return Ok(Err(no_plan));
         }
     }
     let known = |arrival| {
         if arrival <= task.not_after() {
             Ok(arrival)
         } else {
-            Err(hopeless)
+            Err(no_plan)
         }
     };
-    let Some(last) = conditions
-        .last_time_of_ways()
-        .and(conditions.last_time_of_steps().max(Some(task.held)))
-    else {
+    let Some(last) = conditions.last_time_of_ways().and(
+        conditions
+            .last_time_of_steps()
+            .max(Some(task.earliest_move)),
+    ) else {
         return Ok(known(table));
     };
     if last > MOST_TIMES {
@@ -118,5 +119,5 @@ pub fn earliest(
         let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
         best = best.into_iter().chain(arrival).min();
     }
-    Ok(best.ok_or(hopeless).and_then(known))
+    Ok(best.ok_or(no_plan).and_then(known))
 }

@@ -21,7 +21,7 @@ use super::{
     task::{Mask, Task},
 };
 use crate::{
-    budget::Held,
+    budget::MemoryUse,
     budget::{Budget, Stop},
     terrain::{Terrain, Vertex},
 };
@@ -82,7 +82,7 @@ pub struct Mdd {
     deadline: Option<u32>,
     /// No plan arrives earlier, whatever the tables say, which know no times.
     optimum: u32,
-    held: Held,
+    held: MemoryUse,
 }
 
 impl Mdd {
@@ -100,7 +100,7 @@ impl Mdd {
             open: map([((optimum, 0), vec![first])]),
             deadline: None,
             optimum,
-            held: Held::default(),
+            held: MemoryUse::default(),
         }
     }
 

@@ -4,8 +4,8 @@ mod automaton;
 mod cost_to_go;
 mod distances;
 mod earliest;
-mod hopeless;
 mod mdd;
+mod no_plan_alone;
 mod onward;
 mod task;
 #[cfg(test)]
@@ -14,7 +14,7 @@ mod tests;
 pub use automaton::{Act, Automaton, Forbidden, LongWait, Part, Required};
 pub use cost_to_go::{CostToGo, Metric};
 pub use earliest::earliest;
-pub use hopeless::{Hopeless, has_to_be_at};
 pub use mdd::{Mdd, Node, NodeId, Place};
+pub use no_plan_alone::{NoPlanAlone, has_to_be_at};
 pub use onward::{Onward, State};
 pub use task::{Bounds, MAX_WAYPOINTS, Mask, Reserve, Task};

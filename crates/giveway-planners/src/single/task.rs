@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Battery, Rules, StartState};
 
-use super::{Automaton, Hopeless, Place, State, has_to_be_at};
+use super::{Automaton, NoPlanAlone, Place, State, has_to_be_at};
 use crate::terrain::{Arc, Terrain, Vertex};
 
 /// A set of visited waypoints, one bit each in the order of the agent's list;
@@ -60,12 +60,12 @@ pub struct Task {
     /// At time 0 it is half way along this arc, whose end is `start`.
     pub transit: Option<u32>,
     /// It begins no move before this time; it may rest at its goal, though.
-    pub held: u32,
+    pub earliest_move: u32,
     /// What it adds to the sum of costs not to arrive at time 0.
-    pub woken: u32,
+    pub cost_if_it_leaves_goal: u32,
     /// The waits that it adds not to arrive at time 0: it stood at its goal and
     /// had not arrived.
-    pub stood: u32,
+    pub waits_if_it_leaves_goal: u32,
     /// The wait steps on end at `start` that it made just before time 0, as far as they
     /// count for conditions on long waits.
     pub waits_begun: u32,
@@ -77,14 +77,14 @@ impl Task {
     /// # Errors
     /// Where its battery begins below the floor or a cell is no vertex, so that no
     /// plan exists.
-    pub fn new(agent: &Agent, rules: Rules, terrain: &Terrain) -> Result<Self, Hopeless> {
+    pub fn new(agent: &Agent, rules: Rules, terrain: &Terrain) -> Result<Self, NoPlanAlone> {
         let reserve = match agent.battery {
             None => None,
             Some(Battery { capacity, initial }) => {
                 Some(Reserve::above(rules.battery_floor, capacity, initial)?)
             }
         };
-        let waypoints: Result<Vec<Vertex>, Hopeless> = agent
+        let waypoints: Result<Vec<Vertex>, NoPlanAlone> = agent
             .waypoints
             .iter()
             .map(|&cell| has_to_be_at(cell, terrain))
@@ -102,9 +102,9 @@ impl Task {
             not_resting: Vec::new(),
             bounds: Bounds::Free,
             transit: None,
-            held: 0,
-            woken: 0,
-            stood: 0,
+            earliest_move: 0,
+            cost_if_it_leaves_goal: 0,
+            waits_if_it_leaves_goal: 0,
             waits_begun: 0,
         })
     }
@@ -121,7 +121,7 @@ impl Task {
         bounds: Bounds,
         rules: Rules,
         terrain: &mut Terrain,
-    ) -> Result<Self, Hopeless> {
+    ) -> Result<Self, NoPlanAlone> {
         // Who is held to a path that leads on has to go on.
         let may_stay =
             state.rested > 0 && !matches!(&bounds, Bounds::Along(path) if path.len() > 1);
@@ -149,10 +149,11 @@ impl Task {
             task.transit = Some(terrain.transit(terrain.vertex(from), task.start));
         }
         if may_stay {
-            (task.woken, task.stood) = (state.rested, state.rested_awake);
+            (task.cost_if_it_leaves_goal, task.waits_if_it_leaves_goal) =
+                (state.rested, state.rested_awake);
         }
         Ok(Self {
-            held: state.not_before(),
+            earliest_move: state.not_before(),
             waits_begun: state.waits_begun,
             ..task
         })
@@ -228,7 +229,7 @@ impl Task {
 
     /// The last time at which what it may do differs from later ones.
     pub fn last_time(&self) -> Option<u32> {
-        let held = (self.held > 0).then_some(self.held);
+        let held = (self.earliest_move > 0).then_some(self.earliest_move);
         self.conditions.last_time().max(held)
     }
 
@@ -266,7 +267,7 @@ impl Task {
 
     /// Whether it may begin to cross an arc.
     pub fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
-        now.is_none_or(|now| now >= self.held) && self.conditions.may_cross(arc, now)
+        now.is_none_or(|now| now >= self.earliest_move) && self.conditions.may_cross(arc, now)
     }
 
     /// Whether it may wait a step.
@@ -292,7 +293,7 @@ impl Task {
             && self.conditions.is_empty()
             && self.transit.is_none()
             && matches!(self.bounds, Bounds::Free)
-            && (self.held, self.not_before) == (0, 0)
+            && (self.earliest_move, self.not_before) == (0, 0)
     }
 
     /// The latest arrival that is allowed.

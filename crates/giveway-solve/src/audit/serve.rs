@@ -9,7 +9,7 @@ use crate::{
     Host, Progress, Refusal, SolveAnswer, Status, assumed,
     problem::Problem,
     search::{Bounded, Horizon, LoneBound, Minima, reach_of_bounds},
-    solve::{self, Task},
+    solve::{self, SolveTask},
 };
 
 /// Serves an audit request.
@@ -22,7 +22,7 @@ pub(crate) fn serve(request: &AuditRequest, host: &dyn Host) -> Result<AuditAnsw
     let report = check(&instance, &request.plan);
     let objective = request.objective.clone();
     let relaxed = instance.clone().without_moving_obstacles();
-    let mut task = Task::new(relaxed, objective, request.within, request.limits, host);
+    let mut task = SolveTask::new(relaxed, objective, request.within, request.limits, host);
     let own = report.costs.filter(|_| report.is_valid());
     if own.is_some() {
         task.start = Some(request.plan.clone());
@@ -36,7 +36,7 @@ pub(crate) fn serve(request: &AuditRequest, host: &dyn Host) -> Result<AuditAnsw
 
 /// The best plan, as far as it is found, among those that take no longer than the
 /// horizon or than the audited plan.
-fn best(task: &Task, at_least: u32) -> SolveAnswer {
+fn best(task: &SolveTask, at_least: u32) -> SolveAnswer {
     let problem = match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => problem,
         Err(error) => return solve::without_search(task, &error).answer,
@@ -64,7 +64,7 @@ fn best(task: &Task, at_least: u32) -> SolveAnswer {
 
 /// What each agent needs alone, told to the host at once: of the first cost, and of
 /// those that follow without further work.
-fn lone_bounds(task: &Task, problem: &Problem) -> BTreeMap<Cost, LoneBound> {
+fn lone_bounds(task: &SolveTask, problem: &Problem) -> BTreeMap<Cost, LoneBound> {
     let mut bounds = BTreeMap::new();
     for (i, &cost) in task.objective.costs().iter().enumerate() {
         if i > 0 && !matches!(cost, Cost::Makespan | Cost::SumOfCosts) {

@@ -10,13 +10,13 @@ fn a_part_counts_the_memory_and_the_clauses_of_the_whole() {
         ..Limits::default()
     };
     let whole = Budget::new(&SilentHost, limits).with_clauses(2);
-    let mut held = Held::default();
+    let mut held = MemoryUse::default();
     whole.hold_more(&mut held, 900);
     whole.count_clause();
     let part = whole.part(Limits::default());
     assert_eq!(part.clauses_left(), 1);
     assert_eq!(part.check(), Ok(()));
-    let mut more = Held::default();
+    let mut more = MemoryUse::default();
     part.hold_more(&mut more, 200);
     assert_eq!(part.check(), Err(Stop::Memory));
     assert_eq!(whole.check(), Err(Stop::Memory));

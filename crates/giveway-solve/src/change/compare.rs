@@ -4,7 +4,7 @@ use giveway_model::{Plan, change::Trajectory, compare::Difference, snapshot::Sna
 
 /// Agents by what the new plan makes of them.
 #[derive(Default)]
-pub(super) struct Comparison {
+pub(super) struct AgentsCompared {
     pub(super) kept: Vec<String>,
     pub(super) retimed: Vec<String>,
     pub(super) rerouted: Vec<String>,
@@ -12,8 +12,8 @@ pub(super) struct Comparison {
 }
 
 /// Compares a new plan with the old one, from the change on.
-pub(super) fn compare(snapshot: &Snapshot<'_>, plan: &Plan) -> Comparison {
-    let mut comparison = Comparison::default();
+pub(super) fn compare(snapshot: &Snapshot<'_>, plan: &Plan) -> AgentsCompared {
+    let mut comparison = AgentsCompared::default();
     for timeline in snapshot.history.timelines() {
         if timeline.until.is_some() {
             continue;

@@ -18,18 +18,18 @@ use giveway_model::{
 use super::{
     CauseKind, Method,
     hitting::{MOST_SETS, hitting},
-    keep::{self, Fault},
+    keep::{self, MethodRefusal},
 };
 use crate::{
     budget::{Budget, Stop},
-    problem::{HopelessAlone, Problem, ProblemError},
+    problem::{NeverAlone, Problem, ProblemError},
     search::{Aim, Bounded, ForEver, Horizon, NoPlan, Proved, find},
     single::Bounds,
     terrain::Terrain,
 };
 
 /// A method at the time of a change.
-pub(super) struct Case<'a, 'h> {
+pub(super) struct MethodCase<'a, 'h> {
     pub(super) snapshot: &'a Snapshot<'a>,
     pub(super) method: Method,
     pub(super) objective: &'a Objective,
@@ -42,10 +42,10 @@ pub(super) struct Case<'a, 'h> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Trouble {
     /// An agent cannot be held to what the method asks of it.
-    Held(usize, Fault),
+    Held(usize, MethodRefusal),
     /// An agent cannot do what is asked of it, whatever the others do; and why
     /// that holds whatever the horizon.
-    Alone(usize, Fault, ForEver<NoPlan>),
+    Alone(usize, MethodRefusal, ForEver<NoPlan>),
     /// An agent has more waypoints than can be planned for.
     TooManyWaypoints(usize),
     Stopped(Stop),
@@ -57,7 +57,7 @@ impl From<Stop> for Trouble {
     }
 }
 
-impl Case<'_, '_> {
+impl MethodCase<'_, '_> {
     /// An agent, and what the running plan has it do.
     pub(super) fn agent(&self, agent: usize) -> Option<(&Agent, &RunningAgent)> {
         let snapshot = self.snapshot;
@@ -96,11 +96,11 @@ impl Case<'_, '_> {
         let mut bounds = Vec::new();
         let agents = self.snapshot.instance.agents().iter();
         for (number, (agent, running)) in agents.zip(&self.snapshot.agents).enumerate() {
-            if let Some((fault, hopeless)) = keep::blocked(agent, &terrain) {
+            if let Some((fault, never)) = keep::blocked(agent, &terrain) {
                 return Err(Trouble::Alone(
                     number,
                     fault,
-                    HopelessAlone::Task(hopeless).into(),
+                    NeverAlone::Task(never).into(),
                 ));
             }
             bounds.push(if freed.contains(&number) {
@@ -122,8 +122,8 @@ impl Case<'_, '_> {
 
     /// Why an agent cannot even alone: an obstacle on the path that it is held to, its
     /// battery where it could without one, or nothing that has a name.
-    fn alone(&self, number: usize, freed: &BTreeSet<usize>, bounds: Vec<Bounds>) -> Fault {
-        let none = |kind| Fault { kind, cell: None };
+    fn alone(&self, number: usize, freed: &BTreeSet<usize>, bounds: Vec<Bounds>) -> MethodRefusal {
+        let none = |kind| MethodRefusal { kind, cell: None };
         let Some((agent, running)) = self.agent(number) else {
             return none(CauseKind::NoWay);
         };
@@ -230,7 +230,11 @@ impl Case<'_, '_> {
 
     /// Agents that, held to the method, leave no plan, where all others are
     /// free: none of them can be left out.
-    fn core(&self, freed: &BTreeSet<usize>, within: &mut Shown) -> Result<BTreeSet<usize>, Stop> {
+    fn core(
+        &self,
+        freed: &BTreeSet<usize>,
+        within: &mut ShownUntil,
+    ) -> Result<BTreeSet<usize>, Stop> {
         let all = sorting::set(self.held(&BTreeSet::new()));
         let mut core = sorting::set(all.difference(freed).copied());
         for agent in core.clone() {
@@ -261,7 +265,7 @@ impl Case<'_, '_> {
         if matches!(self.exists(&all)?, Exists::No { .. }) {
             return Ok(None);
         }
-        let mut within = Shown::default();
+        let mut within = ShownUntil::default();
         let mut cores: Vec<BTreeSet<usize>> = vec![self.core(given, &mut within)?];
         let mut size = 1;
         loop {
@@ -336,9 +340,9 @@ enum Exists {
 
 /// The latest arrival up to which several things are shown; without end where it is `None`.
 #[derive(Default)]
-struct Shown(Option<u32>);
+struct ShownUntil(Option<u32>);
 
-impl Shown {
+impl ShownUntil {
     fn and(&mut self, within: Option<u32>) {
         self.0 = self.0.into_iter().chain(within).min();
     }

@@ -7,18 +7,18 @@ use giveway_model::{Agent, Cell, snapshot::RunningAgent};
 
 use super::{CauseKind, Method};
 use crate::{
-    single::{Bounds, Hopeless, has_to_be_at},
+    single::{Bounds, NoPlanAlone, has_to_be_at},
     terrain::{Terrain, Vertex},
 };
 
 /// Why an agent cannot be held to what a method asks of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Fault {
+pub(super) struct MethodRefusal {
     pub(super) kind: CauseKind,
     pub(super) cell: Option<Cell>,
 }
 
-impl Fault {
+impl MethodRefusal {
     const fn at(kind: CauseKind, cell: Cell) -> Self {
         Self {
             kind,
@@ -28,11 +28,11 @@ impl Fault {
 }
 
 /// What an agent cannot do by any method: go to an obstacle.
-pub(super) fn blocked(agent: &Agent, terrain: &Terrain) -> Option<(Fault, Hopeless)> {
+pub(super) fn blocked(agent: &Agent, terrain: &Terrain) -> Option<(MethodRefusal, NoPlanAlone)> {
     let mut cells = agent.waypoints.iter().chain(&agent.goal);
     cells.find_map(|&cell| {
-        let hopeless = has_to_be_at(cell, terrain).err()?;
-        Some((Fault::at(CauseKind::Obstacle, cell), hopeless))
+        let never = has_to_be_at(cell, terrain).err()?;
+        Some((MethodRefusal::at(CauseKind::Obstacle, cell), never))
     })
 }
 
@@ -42,7 +42,7 @@ pub(super) fn bounds(
     agent: &Agent,
     running: &RunningAgent,
     terrain: &Terrain,
-) -> Result<Bounds, Fault> {
+) -> Result<Bounds, MethodRefusal> {
     if !running.is_old {
         return Ok(Bounds::Free);
     }
@@ -55,30 +55,35 @@ pub(super) fn bounds(
 }
 
 /// The first obstacle on the rest of an old path.
-pub(super) fn obstacle(rest: &[Cell], terrain: &Terrain) -> Option<Fault> {
+pub(super) fn obstacle(rest: &[Cell], terrain: &Terrain) -> Option<MethodRefusal> {
     let mut rest = rest.iter();
     let blocked = rest.find(|&&cell| terrain.vertex(cell).is_none());
-    blocked.map(|&cell| Fault::at(CauseKind::Obstacle, cell))
+    blocked.map(|&cell| MethodRefusal::at(CauseKind::Obstacle, cell))
 }
 
-fn along(agent: &Agent, rest: &[Cell], terrain: &Terrain) -> Result<Bounds, Fault> {
+fn along(agent: &Agent, rest: &[Cell], terrain: &Terrain) -> Result<Bounds, MethodRefusal> {
     if let Some(fault) = obstacle(rest, terrain) {
         return Err(fault);
     }
     if let Some(goal) = agent.goal
         && rest.last() != Some(&goal)
     {
-        return Err(Fault::at(CauseKind::Goal, goal));
+        return Err(MethodRefusal::at(CauseKind::Goal, goal));
     }
     let mut waypoints = agent.waypoints.iter();
     if let Some(&missed) = waypoints.find(|cell| !rest.contains(cell)) {
-        return Err(Fault::at(CauseKind::Waypoint, missed));
+        return Err(MethodRefusal::at(CauseKind::Waypoint, missed));
     }
     let path: Vec<Vertex> = rest.iter().filter_map(|&c| terrain.vertex(c)).collect();
     Ok(Bounds::Along(Rc::new(path)))
 }
 
-fn within(agent: &Agent, rest: &[Cell], terrain: &Terrain, width: u32) -> Result<Bounds, Fault> {
+fn within(
+    agent: &Agent,
+    rest: &[Cell],
+    terrain: &Terrain,
+    width: u32,
+) -> Result<Bounds, MethodRefusal> {
     let mut tunnel = vec![false; terrain.size()];
     let mut queue = VecDeque::new();
     for v in rest.iter().filter_map(|&cell| terrain.vertex(cell)) {
@@ -105,10 +110,10 @@ fn within(agent: &Agent, rest: &[Cell], terrain: &Terrain, width: u32) -> Result
         v.is_some_and(|v| tunnel.get(v as usize) == Some(&true))
     };
     if let Some(goal) = agent.goal.filter(|&goal| !holds(goal)) {
-        return Err(Fault::at(CauseKind::Goal, goal));
+        return Err(MethodRefusal::at(CauseKind::Goal, goal));
     }
     if let Some(&missed) = agent.waypoints.iter().find(|&&cell| !holds(cell)) {
-        return Err(Fault::at(CauseKind::Waypoint, missed));
+        return Err(MethodRefusal::at(CauseKind::Waypoint, missed));
     }
     Ok(Bounds::Within(Rc::new(tunnel)))
 }

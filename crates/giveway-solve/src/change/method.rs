@@ -10,8 +10,8 @@ use giveway_model::Agent;
 
 use super::{
     Cause, MethodAnswer,
-    freed::{Case, Fewest, Trouble},
-    keep::{self, Fault},
+    freed::{Fewest, MethodCase, Trouble},
+    keep::{self, MethodRefusal},
 };
 use crate::{
     Progress,
@@ -37,8 +37,8 @@ struct MethodFound {
 }
 
 /// Goes on by a method.
-pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
-    let (freed, cause) = match free_hopeless(case) {
+pub(super) fn run(case: &MethodCase<'_, '_>) -> MethodAnswer {
+    let (freed, cause) = match free_impossible(case) {
         Ok(freed) => freed,
         Err(answer) => return *answer,
     };
@@ -75,7 +75,7 @@ pub(super) fn run(case: &Case<'_, '_>) -> MethodAnswer {
 /// The search for the best plan with these agents freed; it tells the host of
 /// each better one, behind the past.
 fn search(
-    case: &Case<'_, '_>,
+    case: &MethodCase<'_, '_>,
     problem: &Problem,
     bounded: &Bounded,
     freed: &BTreeSet<usize>,
@@ -100,11 +100,11 @@ fn stopped(mut found: MethodFound, stop: Stop) -> MethodFound {
 }
 
 /// Frees those who cannot do by themselves what the method asks for.
-fn free_hopeless(
-    case: &Case<'_, '_>,
+fn free_impossible(
+    case: &MethodCase<'_, '_>,
 ) -> Result<(BTreeSet<usize>, Option<Cause>), Box<MethodAnswer>> {
     let mut freed = BTreeSet::new();
-    let mut causes: BTreeMap<usize, Fault> = BTreeMap::new();
+    let mut causes: BTreeMap<usize, MethodRefusal> = BTreeMap::new();
     let terrain = case.terrain();
     let is_blocked = |agent: &Agent| keep::blocked(agent, &terrain).is_some();
     let agents = case.snapshot.instance.agents().iter();
@@ -141,7 +141,7 @@ fn free_hopeless(
 
 /// The best plan of those with the fewest agents freed.
 fn free_fewest(
-    case: &Case<'_, '_>,
+    case: &MethodCase<'_, '_>,
     before: &MethodFound,
     fewest: Fewest,
 ) -> Result<MethodFound, Stop> {

@@ -10,7 +10,8 @@ use giveway_model::{
 };
 
 use super::{
-    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::Case, horizon, method,
+    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::MethodCase, horizon,
+    method,
 };
 use crate::{Host, budget::Budget, service::Refusal};
 
@@ -37,7 +38,7 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
         let snapshot = Snapshot::new(at, &instance, (&history, &after), &plan);
         let mut methods = Vec::new();
         for &method in &request.methods {
-            let case = Case {
+            let case = MethodCase {
                 snapshot: &snapshot,
                 method,
                 objective: &objective,

@@ -7,7 +7,7 @@ use crate::sat::{Clauses, Lit};
 
 /// A counter of events.
 #[derive(Default)]
-pub(crate) struct Count {
+pub(crate) struct EventCounter {
     /// By time: the literals "at least one" and "at least two".
     events: Vec<[Lit; 2]>,
     /// `columns[j].rows[t]`: more than j events up to time t.
@@ -20,7 +20,7 @@ struct Column {
     total: Lit,
 }
 
-impl Count {
+impl EventCounter {
     /// The literals of the events at a time: "at least one", "at least two".
     pub(crate) fn event(&mut self, time: u32, out: &mut impl Clauses) -> [Lit; 2] {
         while self.events.len() <= time as usize {

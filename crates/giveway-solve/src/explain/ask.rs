@@ -19,7 +19,7 @@ use crate::{
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
     search::{Aim, Bounded, Horizon, Proved, Verdict, find},
-    walk::{Walk, of_plan, to_plan},
+    walk::{Walk, to_plan, walks_of_plan},
 };
 
 /// A question to the search.
@@ -151,7 +151,7 @@ pub(crate) fn names(instance: &Instance) -> Vec<String> {
 pub(crate) fn walks(instance: &Instance, problem: &Problem, plan: &Plan) -> Option<Vec<Walk>> {
     let mut plan = plan.clone();
     plan.cut_trailing_goals(instance);
-    of_plan(problem, &names(instance), &plan)
+    walks_of_plan(problem, &names(instance), &plan)
 }
 
 /// The violations of a plan, but for those of rules left out.

@@ -6,14 +6,14 @@ use giveway_model::{Cell, Condition, Costs, Instance, Plan, check::check};
 
 use super::{
     ask::{names, walks},
-    verdict::Case,
+    verdict::FittingQuestion,
 };
 use crate::{
     Limits,
     budget::Budget,
     impose::{ImposeError, limit_costs},
     problem::{Problem, ProblemError, Relaxed},
-    search::{Before, Bounded, Extent, Horizon, Proved, closest as search_closest},
+    search::{Bounded, Extent, GivenWalk, Horizon, Proved, closest as search_closest},
     walk::to_plan,
 };
 use giveway_model::sorting::{map, sort};
@@ -24,7 +24,11 @@ const SECONDS: f64 = 3.0;
 
 /// Of the plans that cost as much as the best other one, that which is closest
 /// to the plan asked about, and whether that is proved.
-pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) -> (Plan, bool) {
+pub(crate) fn closest(
+    case: &FittingQuestion,
+    best: (&Plan, Costs),
+    budget: &Rc<Budget>,
+) -> (Plan, bool) {
     let part = Rc::new(
         budget
             .part(Limits {
@@ -37,15 +41,15 @@ pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) ->
     let mut nearest = (distance(case, best.0), best.0.clone());
     for condition in case.conditions() {
         match with(case, condition, best.1, &part) {
-            Attempt::Plan(plan, is_proved) => {
+            BranchOutcome::Plan(plan, is_proved) => {
                 proved &= is_proved;
                 let distance = distance(case, &plan);
                 if distance < nearest.0 {
                     nearest = (distance, plan);
                 }
             }
-            Attempt::None => {}
-            Attempt::Unknown => proved = false,
+            BranchOutcome::None => {}
+            BranchOutcome::Unknown => proved = false,
         }
     }
     budget.absorb(&part);
@@ -53,7 +57,7 @@ pub(crate) fn closest(case: &Case, best: (&Plan, Costs), budget: &Rc<Budget>) ->
 }
 
 /// What one way to be as asked for gives.
-enum Attempt {
+enum BranchOutcome {
     /// A plan, and whether none is closer.
     Plan(Plan, bool),
     /// None costs so little.
@@ -61,13 +65,18 @@ enum Attempt {
     Unknown,
 }
 
-fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -> Attempt {
+fn with(
+    case: &FittingQuestion,
+    condition: &Condition,
+    costs: Costs,
+    budget: &Rc<Budget>,
+) -> BranchOutcome {
     let instance = case.instance;
     let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget);
     let problem = match problem {
         Ok(problem) => problem,
-        Err(ImposeError::Problem(ProblemError::Alone(..))) => return Attempt::None,
-        Err(_) => return Attempt::Unknown,
+        Err(ImposeError::Problem(ProblemError::Alone(..))) => return BranchOutcome::None,
+        Err(_) => return BranchOutcome::Unknown,
     };
     let grid = instance.grid();
     // Where a horizon is far away, closer plans beyond the default are not worth the search; then
@@ -81,19 +90,19 @@ fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
     if limit_costs(condition, &mut limits).is_err() {
-        return Attempt::None;
+        return BranchOutcome::None;
     }
     let Some(before) = before(&problem, instance, case.plan) else {
-        return Attempt::Unknown;
+        return BranchOutcome::Unknown;
     };
     let bounded = Bounded { horizon, limits };
     if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon.latest()))
     {
-        return Attempt::None;
+        return BranchOutcome::None;
     }
     match search_closest(&problem, &before, &bounded, Extent::Entries, budget) {
-        Ok(None) => Attempt::None,
-        Err(_) => Attempt::Unknown,
+        Ok(None) => BranchOutcome::None,
+        Err(_) => BranchOutcome::Unknown,
         Ok(Some(close)) => {
             let names = names(instance);
             let mut plan = to_plan(&problem, &names, &close.walks);
@@ -109,28 +118,28 @@ fn with(case: &Case, condition: &Condition, costs: Costs, budget: &Rc<Budget>) -
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.holds(instance, &plan) == Some(true) {
                 let far = |proved: Proved| case.shown.is_some_and(|shown| proved.covers(shown));
-                Attempt::Plan(plan, close.proved.is_some_and(far))
+                BranchOutcome::Plan(plan, close.proved.is_some_and(far))
             } else {
-                Attempt::Unknown
+                BranchOutcome::Unknown
             }
         }
     }
 }
 
 /// A valid plan as walks with their charges.
-fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<Before>> {
+fn before(problem: &Problem, instance: &Instance, plan: &Plan) -> Option<Vec<GivenWalk>> {
     let walks = walks(instance, problem, plan)?.into_iter();
     let each = walks.zip(instance.agents()).map(|(walk, agent)| {
         let mut charges = plan.charges(&agent.name).to_vec();
         sort(&mut charges);
-        Before { walk, charges }
+        GivenWalk { walk, charges }
     });
     Some(each.collect())
 }
 
 /// How far a plan is from the one asked about: agents that do something else,
 /// then entries that differ, arrived agents padded.
-fn distance(case: &Case, other: &Plan) -> (usize, usize) {
+fn distance(case: &FittingQuestion, other: &Plan) -> (usize, usize) {
     let (mut agents, mut entries) = (0, 0);
     for agent in case.instance.agents() {
         let (a, b) = (case.plan.path(&agent.name), other.path(&agent.name));

@@ -10,9 +10,9 @@ use super::{
     ask::{Ask, Found, any, at_most, best, names, violations, walks},
     group::{Variant, fit},
     group_mus::{Inquiry, Tried},
-    repairs::{Best, Solver},
+    repairs::{EditedPlan, Solver},
     unsolvable::{long_search, one_search, tried},
-    verdict::Case,
+    verdict::FittingQuestion,
 };
 use crate::{
     budget::Budget,
@@ -27,8 +27,8 @@ use crate::{
 const NEARBY_STATES: u64 = 10_000;
 
 /// What is looked for.
-pub(crate) struct Contrasted<'a, 'h> {
-    pub(crate) case: &'a Case<'a>,
+pub(crate) struct ContrastSearch<'a, 'h> {
+    pub(crate) case: &'a FittingQuestion<'a>,
     /// The most that it may cost, in the order of the objective.
     pub(crate) most: Option<Vec<u32>>,
     /// A plan that is as asked for but costs more: plans near to it are looked
@@ -39,7 +39,7 @@ pub(crate) struct Contrasted<'a, 'h> {
     pub(crate) budget: Rc<Budget<'h>>,
 }
 
-impl Contrasted<'_, '_> {
+impl ContrastSearch<'_, '_> {
     /// What must hold, one of these: those about agents that are still there.
     fn conditions<'c>(&'c self, variant: &'c Variant) -> impl Iterator<Item = &'c Condition> {
         let conditions = self.case.conditions();
@@ -137,7 +137,7 @@ impl Contrasted<'_, '_> {
     }
 }
 
-impl Inquiry for Contrasted<'_, '_> {
+impl Inquiry for ContrastSearch<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
         self.look(variant, || one_search(&self.budget))
     }
@@ -159,8 +159,8 @@ impl Inquiry for Contrasted<'_, '_> {
     }
 }
 
-impl Solver for Contrasted<'_, '_> {
-    fn best(&mut self, variant: &Variant) -> Option<Best> {
+impl Solver for ContrastSearch<'_, '_> {
+    fn best(&mut self, variant: &Variant) -> Option<EditedPlan> {
         let objective = self.case.objective();
         let mut proved = true;
         let plans = self.conditions(variant).filter_map(|condition| {
@@ -170,7 +170,7 @@ impl Solver for Contrasted<'_, '_> {
         });
         let cheapest = plans.min_by_key(|(_, costs)| costs.vector(objective));
         let (plan, costs) = cheapest.filter(|(_, costs)| self.is_cheap(costs))?;
-        Some(Best {
+        Some(EditedPlan {
             plan,
             costs,
             proved,

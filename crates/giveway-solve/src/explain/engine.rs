@@ -16,17 +16,17 @@ use super::{
     ask::{Ask, any},
     changed::{ChangedWorld, asked, counting},
     closest::closest,
-    own_plan::Judged,
+    own_plan::OwnPlanReport,
     reasons,
-    verdict::{Case, compare},
-    whole::Whole,
+    verdict::{FittingQuestion, compare},
+    whole::WholePlan,
     words,
 };
 use crate::{
     Host, Progress, Refusal, Status,
     budget::Budget,
     problem::Relaxed,
-    solve::{self, Solved, Task},
+    solve::{self, SolveTask, Solved},
 };
 
 /// Answers a question, and tells the host of every part.
@@ -41,12 +41,12 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     }
     let budget = Rc::new(Budget::new(host, request.limits));
     let Some(changes) = counting(request) else {
-        let asked = Asked {
+        let asked = PlanQuestion {
             instance,
             plan: request.plan.clone(),
             question: request.question.clone(),
             within: request.within,
-            whole: Whole::default(),
+            whole: WholePlan::default(),
         };
         return answered(&asked, &budget, host);
     };
@@ -65,12 +65,12 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     let snapshot = world.snapshot(&instance);
     let mut instance = snapshot.instance.clone();
     let (question, within) = asked(request, &snapshot, &mut instance)?;
-    let asked = Asked {
+    let asked = PlanQuestion {
         instance,
         plan: solvable.then(|| snapshot.rest()),
         question,
         within,
-        whole: Whole {
+        whole: WholePlan {
             running: Some((&snapshot, &request.question)),
         },
     };
@@ -78,7 +78,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
 }
 
 /// What is asked, about an instance and its plan.
-struct Asked<'a> {
+struct PlanQuestion<'a> {
     instance: Instance,
     /// The plan that is asked about; `None` where none was given, or the
     /// question is why there is none.
@@ -86,13 +86,13 @@ struct Asked<'a> {
     question: Question,
     /// The horizon, where a person set one.
     within: Option<u32>,
-    whole: Whole<'a>,
+    whole: WholePlan<'a>,
 }
 
 /// What there is to say of a plan that breaks rules while the world changes.
 fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> ExplainAnswer {
     let costs = report.costs.unwrap_or_default();
-    let judged = Judged::new(report.violations, report.costs);
+    let judged = OwnPlanReport::new(report.violations, report.costs);
     ExplainAnswer {
         costs: report.costs,
         valid: Some(false),
@@ -104,8 +104,12 @@ fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> Explain
 }
 
 /// The answer to what is asked.
-fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<ExplainAnswer, Refusal> {
-    let Asked {
+fn answered(
+    asked: &PlanQuestion,
+    budget: &Rc<Budget>,
+    host: &dyn Host,
+) -> Result<ExplainAnswer, Refusal> {
+    let PlanQuestion {
         instance,
         plan,
         question,
@@ -115,7 +119,7 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
     let (within, whole) = (*within, *whole);
     let costs = plan.as_ref();
     let costs = costs.and_then(|plan| whole.costs_of(instance, plan));
-    let telling = Telling {
+    let telling = Reporter {
         budget,
         host,
         whole,
@@ -153,7 +157,7 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
     fits(question, instance, &plan)
         .map_err(|misfit| refused(whole.misfit(question, instance, &plan, misfit)))?;
     answer.plan = best;
-    let mut case = Case::new(instance, question, &plan, costs, within, whole);
+    let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
     case.optimal = solved.and_then(|solved| solved.reach);
     answer.pending = vec![
         Part::Verdict,
@@ -170,7 +174,7 @@ fn answered(asked: &Asked, budget: &Rc<Budget>, host: &dyn Host) -> Result<Expla
 }
 
 /// The verdict with an other plan: the first part.
-fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) {
+fn tell_verdict(case: &mut FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
     let compared = compare(case, telling.budget);
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
@@ -187,7 +191,7 @@ fn tell_verdict(case: &mut Case, answer: &mut ExplainAnswer, telling: &Telling) 
 }
 
 /// The closest other plan, where the one at hand is proved best.
-fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
+fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
     if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
         let (plan, proved) = closest(case, (other, costs), telling.budget);
         answer.costs = check::costs(case.instance, &plan);
@@ -198,15 +202,15 @@ fn tell_closest(case: &Case, answer: &mut ExplainAnswer, telling: &Telling) {
 }
 
 /// Whom to tell of what becomes known.
-struct Telling<'a, 'h> {
+struct Reporter<'a, 'h> {
     budget: &'a Rc<Budget<'h>>,
     host: &'a dyn Host,
-    whole: Whole<'a>,
+    whole: WholePlan<'a>,
     /// The costs of the whole plan that is asked about.
     costs: Option<Costs>,
 }
 
-impl Telling<'_, '_> {
+impl Reporter<'_, '_> {
     /// Tells that a part of the answer is there.
     fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
         answer.pending.retain(|&pending| pending != part);
@@ -224,7 +228,7 @@ fn no_plan(
     instance: &Instance,
     within: Option<u32>,
     answer: &mut ExplainAnswer,
-    telling: &Telling,
+    telling: &Reporter,
 ) -> Result<(), Refusal> {
     let found = any(
         &Ask {
@@ -269,7 +273,7 @@ fn solved(
     within: Option<u32>,
     budget: &Rc<Budget>,
 ) -> Result<Solved, Refusal> {
-    let task = Task {
+    let task = SolveTask {
         instance: instance.clone(),
         objective: instance.objective().clone(),
         within,

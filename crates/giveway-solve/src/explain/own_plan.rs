@@ -11,12 +11,12 @@ use giveway_model::{
 use super::{
     answer::Excess,
     ask::{Ask, Found, best},
-    whole::Whole,
+    whole::WholePlan,
 };
 use crate::{Status, budget::Budget, problem::Relaxed};
 
 /// What is known of a plan.
-pub(crate) struct Judged {
+pub(crate) struct OwnPlanReport {
     pub(crate) violations: Vec<Violation>,
     /// Its costs, where every agent has a path.
     pub(crate) costs: Option<Costs>,
@@ -31,7 +31,7 @@ pub(crate) struct Judged {
     pub(crate) found: Option<Found>,
 }
 
-impl Judged {
+impl OwnPlanReport {
     /// What the judge says, and nothing of other plans yet.
     pub(crate) const fn new(violations: Vec<Violation>, costs: Option<Costs>) -> Self {
         Self {
@@ -51,11 +51,11 @@ pub(crate) fn judge(
     plan: &Plan,
     objective: &Objective,
     within: Option<u32>,
-    whole: Whole,
+    whole: WholePlan,
     budget: &Rc<Budget>,
-) -> Judged {
+) -> OwnPlanReport {
     let violations = whole.check(instance, plan);
-    let mut judged = Judged::new(violations, check::costs(instance, plan));
+    let mut judged = OwnPlanReport::new(violations, check::costs(instance, plan));
     let Some(costs) = judged.costs.filter(|_| judged.violations.is_empty()) else {
         return judged;
     };

@@ -11,19 +11,22 @@ use giveway_model::{
 
 use super::{
     ask::{Ask, best, names, walks},
-    verdict::Case,
+    verdict::FittingQuestion,
     waits,
 };
 use crate::{
     budget::Budget,
-    local::{Others, Query, Reservations, plan_one},
+    local::{OtherAgents, Query, Reservations, plan_one},
     problem::{Problem, Relaxed},
     walk::to_plan,
 };
 
 /// What would happen, and to whom; `None` where the agent alone cannot do what
 /// is asked for, or nobody is asked about.
-pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<Violation>)> {
+pub(crate) fn witness(
+    case: &FittingQuestion,
+    budget: &Rc<Budget>,
+) -> Option<(String, Vec<Violation>)> {
     if let Question::Wait { agent, .. } = case.question {
         let violations = waits::witness(case.instance, case.question, case.plan, case.whole);
         return Some((agent.clone(), violations));
@@ -48,7 +51,7 @@ pub(crate) fn witness(case: &Case, budget: &Rc<Budget>) -> Option<(String, Vec<V
 }
 
 /// A condition on a cost of all, as one on the agent that it is due to.
-fn about_agent(case: &Case) -> Option<Condition> {
+fn about_agent(case: &FittingQuestion) -> Option<Condition> {
     let cost = match case.conditions().next()? {
         Condition::Below {
             agent: None, cost, ..
@@ -79,7 +82,12 @@ fn about_agent(case: &Case) -> Option<Condition> {
 }
 
 /// The plan with another walk of one agent that is as asked for.
-fn moved(case: &Case, condition: &Condition, agent: &str, budget: &Rc<Budget>) -> Option<Plan> {
+fn moved(
+    case: &FittingQuestion,
+    condition: &Condition,
+    agent: &str,
+    budget: &Rc<Budget>,
+) -> Option<Plan> {
     let among = among_others(case, condition, agent, budget);
     let is_met = |plan: &Plan| condition.holds(case.instance, plan) == Some(true);
     among
@@ -90,7 +98,7 @@ fn moved(case: &Case, condition: &Condition, agent: &str, budget: &Rc<Budget>) -
 /// The earliest walk with the fewest collisions. What counts over a whole walk
 /// it keeps by chance only.
 fn among_others(
-    case: &Case,
+    case: &FittingQuestion,
     condition: &Condition,
     agent: &str,
     budget: &Rc<Budget>,
@@ -119,7 +127,12 @@ fn among_others(
 }
 
 /// The best walk of the agent alone, whatever it meets.
-fn alone(case: &Case, condition: &Condition, agent: &str, budget: &Rc<Budget>) -> Option<Plan> {
+fn alone(
+    case: &FittingQuestion,
+    condition: &Condition,
+    agent: &str,
+    budget: &Rc<Budget>,
+) -> Option<Plan> {
     let instance = case.instance.alone(agent)?;
     let objective: &Objective = case.objective();
     let found = best(

@@ -9,15 +9,15 @@ use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
     causes::{Refuted, find_causes},
-    contrasted::Contrasted,
+    contrasted::ContrastSearch,
     group::Group,
     group_mus::{CoreFound, Tried, group_mus},
-    own_plan::{Judged, judge},
+    own_plan::{OwnPlanReport, judge},
     own_way,
-    repairs::{Broken, repairs},
+    repairs::{Unsolved, repairs},
     unsolvable::{self, AnyPlan},
-    verdict::Case,
-    whole::Whole,
+    verdict::FittingQuestion,
+    whole::WholePlan,
     words,
 };
 use crate::{Limits, Status, budget::Budget, search::Proved};
@@ -57,7 +57,12 @@ fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
 pub(crate) type Tell<'a> = &'a mut dyn FnMut(&mut ExplainAnswer, Part);
 
 /// Why, where the verdict is known.
-pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budget>, tell: Tell) {
+pub(crate) fn of_case(
+    case: &FittingQuestion,
+    answer: &mut ExplainAnswer,
+    budget: &Rc<Budget>,
+    tell: Tell,
+) {
     let mut about = String::new();
     let own = part(budget);
     if let Some((agent, violations)) = own_way::witness(case, &own) {
@@ -90,8 +95,8 @@ pub(crate) fn of_case(case: &Case, answer: &mut ExplainAnswer, budget: &Rc<Budge
 }
 
 /// The answer in words, as far as it is known; `about` is whom the witness is about.
-pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
-    answer.words = words::verdict(&words::Telling {
+pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnswer) {
+    answer.words = words::verdict(&words::KnownSoFar {
         instance: case.instance,
         question: case.question,
         objective: case.objective(),
@@ -107,7 +112,7 @@ pub(crate) fn word(case: &Case, about: &str, answer: &mut ExplainAnswer) {
 }
 
 /// The agents that are never left out.
-fn asked(case: &Case) -> Vec<usize> {
+fn asked(case: &FittingQuestion) -> Vec<usize> {
     let agents = case.instance.agents().iter();
     let asked = |name: &str| case.question.agent() == Some(name);
     let asked = agents.enumerate().filter(|(_, agent)| asked(&agent.name));
@@ -116,7 +121,7 @@ fn asked(case: &Case) -> Vec<usize> {
 
 /// Whether what is asked for could be done by an agent of which the facts say
 /// nothing. Then an edit may help it that weakens none of the facts.
-fn another_could(case: &Case, facts: &[Group]) -> bool {
+fn another_could(case: &FittingQuestion, facts: &[Group]) -> bool {
     let agents = case.instance.agents().iter().enumerate();
     let mut unsaid = agents.filter(|(index, _)| !facts.contains(&Group::Task(*index)));
     unsaid.any(|(_, agent)| {
@@ -128,12 +133,12 @@ fn another_could(case: &Case, facts: &[Group]) -> bool {
 
 /// The search for what would contradict the verdict, with one part's budget.
 fn contrasted<'a, 'h>(
-    case: &'a Case<'a>,
+    case: &'a FittingQuestion<'a>,
     answer: &'a ExplainAnswer,
     budget: &Rc<Budget<'h>>,
-) -> Contrasted<'a, 'h> {
+) -> ContrastSearch<'a, 'h> {
     let costly = answer.verdict == Verdict::Costly;
-    Contrasted {
+    ContrastSearch {
         case,
         most: costly.then(|| case.costs.vector(case.objective())),
         near: answer.alternative.as_ref().filter(|_| costly),
@@ -142,7 +147,11 @@ fn contrasted<'a, 'h>(
     }
 }
 
-fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Option<CoreFound> {
+fn core_of_case(
+    case: &FittingQuestion,
+    answer: &ExplainAnswer,
+    budget: &Rc<Budget>,
+) -> Option<CoreFound> {
     let reach = case.shown?;
     let refuted = Refuted {
         instance: case.instance,
@@ -171,14 +180,19 @@ fn core_of_case(case: &Case, answer: &ExplainAnswer, budget: &Rc<Budget>) -> Opt
     Some(core)
 }
 
-fn help_case(case: &Case, core: &CoreFound, answer: &mut ExplainAnswer, budget: &Rc<Budget>) {
+fn help_case(
+    case: &FittingQuestion,
+    core: &CoreFound,
+    answer: &mut ExplainAnswer,
+    budget: &Rc<Budget>,
+) {
     let Some(reach) = case.shown else { return };
     let asked = asked(case);
-    let mut inquiry = Contrasted {
+    let mut inquiry = ContrastSearch {
         budget: part_of(budget, REPAIRS),
         ..contrasted(case, answer, budget)
     };
-    let broken = Broken {
+    let broken = Unsolved {
         instance: case.instance,
         within: case.within,
         objective: case.objective(),
@@ -197,7 +211,7 @@ pub(crate) fn of_no_plan(
     instance: &Instance,
     within: Option<u32>,
     found: &Found,
-    whole: Whole,
+    whole: WholePlan,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
     tell: Tell,
@@ -236,7 +250,7 @@ pub(crate) fn of_no_plan(
 
     if let Some((core, reach)) = core.as_ref().zip(found.reach) {
         let mut any_plan = searching(REPAIRS);
-        let broken = Broken {
+        let broken = Unsolved {
             instance,
             within,
             objective: instance.objective(),
@@ -252,7 +266,7 @@ pub(crate) fn of_no_plan(
     tell_no_plan(answer, whole, Part::Repairs, tell);
 }
 
-fn tell_no_plan(answer: &mut ExplainAnswer, whole: Whole, part: Part, tell: Tell) {
+fn tell_no_plan(answer: &mut ExplainAnswer, whole: WholePlan, part: Part, tell: Tell) {
     answer.words = words::unsolvable(
         answer.reach.within().map(|time| whole.time(time)),
         &answer.witness,
@@ -267,12 +281,12 @@ pub(crate) fn of_own_plan(
     instance: &Instance,
     plan: &Plan,
     within: Option<u32>,
-    whole: Whole,
+    whole: WholePlan,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
 ) {
     let objective = instance.objective();
-    let judged: Judged = judge(instance, plan, objective, within, whole, budget);
+    let judged: OwnPlanReport = judge(instance, plan, objective, within, whole, budget);
     let costs_of = |plan: &Plan| whole.costs_of(instance, plan).unwrap_or_default();
     let better = judged.better.as_ref().map(|(better, _)| costs_of(better));
     let reach = judged.found.as_ref().and_then(|found| found.reach);

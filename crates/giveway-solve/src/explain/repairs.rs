@@ -31,11 +31,11 @@ use order::{first_of_each_kind, rank};
 /// A question that can also be answered by the best plan.
 pub(crate) trait Solver: Inquiry {
     /// The best plan that can be had in time.
-    fn best(&mut self, variant: &Variant) -> Option<Best>;
+    fn best(&mut self, variant: &Variant) -> Option<EditedPlan>;
 }
 
 /// A plan of an edited instance.
-pub(crate) struct Best {
+pub(crate) struct EditedPlan {
     pub(crate) plan: Plan,
     pub(crate) costs: Costs,
     /// Whether it is proved that none is better, as far as is looked.
@@ -43,7 +43,7 @@ pub(crate) struct Best {
 }
 
 /// An instance without a plan, or without one as asked for.
-pub(crate) struct Broken<'a> {
+pub(crate) struct Unsolved<'a> {
     pub(crate) instance: &'a Instance,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
@@ -67,7 +67,7 @@ pub(crate) struct Repairs {
 }
 
 /// Finds repairs of one and of two edits.
-pub(crate) fn repairs(broken: &Broken, solver: &mut dyn Solver) -> Repairs {
+pub(crate) fn repairs(broken: &Unsolved, solver: &mut dyn Solver) -> Repairs {
     let Some(first) = broken.cores.first() else {
         return Repairs {
             first: Vec::new(),
@@ -97,7 +97,7 @@ pub(crate) fn repairs(broken: &Broken, solver: &mut dyn Solver) -> Repairs {
 }
 
 struct RepairSearch<'a> {
-    broken: &'a Broken<'a>,
+    broken: &'a Unsolved<'a>,
     solver: &'a mut dyn Solver,
     exhaustive: bool,
     /// Whether single edits help, where they were tried; `None` is not known.

@@ -23,7 +23,7 @@ use crate::{
 };
 
 /// A plan that breaks rules of one class only.
-pub(crate) struct Broken {
+pub(crate) struct RelaxedPlan {
     pub(crate) plan: Plan,
     /// How many rules it breaks.
     pub(crate) count: usize,
@@ -41,7 +41,7 @@ pub(crate) fn collisions(
     within: Option<u32>,
     at_least_within: u32,
     budget: &Rc<Budget>,
-) -> Option<Broken> {
+) -> Option<RelaxedPlan> {
     let problem = Problem::new(instance, budget).ok()?;
     let horizon = horizon(instance, &problem, within, at_least_within);
     let walks = apart(&problem, budget).ok()?;
@@ -61,7 +61,7 @@ pub(crate) fn obstacles(
     within: Option<u32>,
     at_least_within: u32,
     budget: &Rc<Budget>,
-) -> Option<Broken> {
+) -> Option<RelaxedPlan> {
     let mut open = instance.clone();
     open.remove_obstacles(|_| true);
     let problem = Problem::new(&open, budget).ok()?;
@@ -141,14 +141,14 @@ impl<'a, 'p, 'h> SoftRules<'a, 'p, 'h> {
         }
     }
 
-    fn run(mut self) -> Option<Broken> {
+    fn run(mut self) -> Option<RelaxedPlan> {
         let first = self.problem.optima.iter().copied().max().unwrap_or(0);
         if first > self.horizon {
             return None;
         }
         let fewest = self.lower_all(first).is_ok();
         let (Lowered { count, .. }, walks) = self.best.as_ref()?;
-        Some(Broken {
+        Some(RelaxedPlan {
             plan: self.plan(walks),
             count: *count,
             fewest,

@@ -14,9 +14,9 @@ use super::{
     ask::{Ask, Found, any, best, violations},
     group::{Group, Variant, groups, without},
     group_mus::{CoreFound, Inquiry, Tried, group_mus},
-    repairs::{Best, Solver},
-    soft::{self, Broken},
-    whole::Whole,
+    repairs::{EditedPlan, Solver},
+    soft::{self, RelaxedPlan},
+    whole::WholePlan,
 };
 use crate::{Limits, budget::Budget};
 use giveway_model::sorting::set;
@@ -54,7 +54,7 @@ pub(crate) struct AnyPlan<'a, 'h> {
     pub(crate) horizon: u32,
     pub(crate) budget: Rc<Budget<'h>>,
     /// The plan of which the instance is the rest.
-    pub(crate) whole: Whole<'a>,
+    pub(crate) whole: WholePlan<'a>,
 }
 
 impl AnyPlan<'_, '_> {
@@ -100,11 +100,11 @@ impl Inquiry for AnyPlan<'_, '_> {
 }
 
 impl Solver for AnyPlan<'_, '_> {
-    fn best(&mut self, variant: &Variant) -> Option<Best> {
+    fn best(&mut self, variant: &Variant) -> Option<EditedPlan> {
         let found = self.with(variant, &one_search(&self.budget), best);
         let (plan, costs) = found.plan.zip(found.costs)?;
         let proved = found.reach.is_some();
-        Some(Best {
+        Some(EditedPlan {
             plan,
             costs,
             proved,
@@ -182,7 +182,12 @@ pub(crate) fn witness(
 
 /// The violations of a plan that breaks rules of one class, batteries once an
 /// agent; none where it breaks others, too.
-fn violations_of(instance: &Instance, class: Class, plan: &Plan, whole: Whole) -> Vec<Violation> {
+fn violations_of(
+    instance: &Instance,
+    class: Class,
+    plan: &Plan,
+    whole: WholePlan,
+) -> Vec<Violation> {
     let mut violations = whole.check(instance, plan);
     let of_class = |rule: Rule| match class {
         Class::Collision => matches!(rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap),
@@ -206,7 +211,7 @@ fn fewest_left_out(
     within: Option<u32>,
     any_plan: &mut AnyPlan,
     of_class: impl Fn(&Group) -> bool,
-) -> Option<Broken> {
+) -> Option<RelaxedPlan> {
     let mut class = groups(instance, &[], false);
     class.retain(of_class);
     let all = set(class.iter().copied());
@@ -233,7 +238,7 @@ fn fewest_left_out(
                 Tried::None { .. } => {}
                 Tried::Unknown => settled = false,
                 Tried::Plan(_) => {
-                    if let Some(Best {
+                    if let Some(EditedPlan {
                         plan,
                         costs,
                         proved,
@@ -256,8 +261,8 @@ fn fewest_left_out(
     None
 }
 
-const fn broken(plan: Plan, count: usize, fewest: bool) -> Broken {
-    Broken {
+const fn broken(plan: Plan, count: usize, fewest: bool) -> RelaxedPlan {
+    RelaxedPlan {
         plan,
         count,
         fewest,

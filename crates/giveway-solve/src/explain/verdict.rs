@@ -9,7 +9,7 @@ use giveway_model::{Condition, Cost, Costs, Instance, Objective, Plan, Question,
 use super::{
     Verdict,
     ask::{Ask, Found, at_most, best},
-    whole::Whole,
+    whole::WholePlan,
 };
 use crate::{
     Status,
@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// A question that fits a valid plan, and what is to be known of both.
-pub(crate) struct Case<'a> {
+pub(crate) struct FittingQuestion<'a> {
     /// The instance, with the objective in which costs compare.
     pub(crate) instance: &'a Instance,
     pub(crate) question: &'a Question,
@@ -38,17 +38,17 @@ pub(crate) struct Case<'a> {
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
     /// The plan of which the instance is the rest.
-    pub(crate) whole: Whole<'a>,
+    pub(crate) whole: WholePlan<'a>,
 }
 
-impl<'a> Case<'a> {
+impl<'a> FittingQuestion<'a> {
     pub(crate) fn new(
         instance: &'a Instance,
         question: &'a Question,
         plan: &'a Plan,
         costs: Costs,
         within: Option<u32>,
-        whole: Whole<'a>,
+        whole: WholePlan<'a>,
     ) -> Self {
         let before = |agent: Option<&str>, cost| cost_of(instance, plan, agent, cost);
         let condition = question.condition(before);
@@ -103,7 +103,7 @@ pub(crate) struct Compared {
 }
 
 /// Compares the plan with the best one that is as asked for.
-pub(crate) fn compare(case: &Case, budget: &Rc<Budget>) -> Compared {
+pub(crate) fn compare(case: &FittingQuestion, budget: &Rc<Budget>) -> Compared {
     let found = best_with(case, budget);
     let objective = case.objective();
     let before = case.costs.vector(objective);
@@ -140,7 +140,7 @@ pub(crate) fn compare(case: &Case, budget: &Rc<Budget>) -> Compared {
 }
 
 /// The best plan with any of the conditions.
-fn best_with(case: &Case, budget: &Rc<Budget>) -> Found {
+fn best_with(case: &FittingQuestion, budget: &Rc<Budget>) -> Found {
     let objective = case.objective();
     let mut all: Option<Found> = None;
     case.each(|ask| {

@@ -3,14 +3,14 @@
 
 use giveway_model::{Cell, Instance, Path, Plan, Question, check::Violation};
 
-use super::whole::Whole;
+use super::whole::WholePlan;
 
 /// The violations that would follow; none where the question is about no wait.
 pub(crate) fn witness(
     instance: &Instance,
     question: &Question,
     plan: &Plan,
-    whole: Whole,
+    whole: WholePlan,
 ) -> Vec<Violation> {
     let Question::Wait {
         agent,

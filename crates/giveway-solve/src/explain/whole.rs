@@ -17,11 +17,11 @@ use crate::Reach;
 /// The plan of which an instance is the rest, with the question as it was asked; without
 /// a change of the world there is none.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Whole<'a> {
+pub(crate) struct WholePlan<'a> {
     pub(super) running: Option<(&'a Snapshot<'a>, &'a Question)>,
 }
 
-impl Whole<'_> {
+impl WholePlan<'_> {
     fn since(self) -> u32 {
         self.running.map_or(0, |(snapshot, _)| snapshot.at)
     }

@@ -16,7 +16,7 @@ use crate::{budget::Stop, sat::Lit, single::Place};
 struct Item {
     agent: usize,
     time: u32,
-    what: What,
+    what: VisitSlot,
     lit: Lit,
     always: Known,
     only: Known,
@@ -24,7 +24,7 @@ struct Item {
 
 /// What it has at a time.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum What {
+enum VisitSlot {
     Visit(Place),
     Charge,
 }
@@ -32,8 +32,8 @@ enum What {
 impl Item {
     fn is_in(&self, every: &Every, plan: &[Way]) -> bool {
         plan.get(self.agent).is_some_and(|way| match self.what {
-            What::Visit(place) => every.place(self.agent, way, self.time) == Some(place),
-            What::Charge => way.charges.contains(&self.time),
+            VisitSlot::Visit(place) => every.place(self.agent, way, self.time) == Some(place),
+            VisitSlot::Charge => way.charges.contains(&self.time),
         })
     }
 }
@@ -60,11 +60,11 @@ impl Backbone {
             };
             for (time, &place) in way.places.iter().enumerate() {
                 let lit = every.formula.at(agent, time as u32, place);
-                item(time as u32, What::Visit(place), lit);
+                item(time as u32, VisitSlot::Visit(place), lit);
             }
             for (time, lit) in every.formula.charges(agent) {
                 if way.charges.contains(&time) {
-                    item(time, What::Charge, Some(lit));
+                    item(time, VisitSlot::Charge, Some(lit));
                 }
             }
         }
@@ -150,7 +150,7 @@ impl Backbone {
                 only: item.only,
             };
             match item.what {
-                What::Visit(place) => visits.push(Visit {
+                VisitSlot::Visit(place) => visits.push(Visit {
                     time: item.time,
                     cell: match place {
                         Place::At(v) => Some(every.problem.terrain.cell(v)),
@@ -160,7 +160,7 @@ impl Backbone {
                     only: item.only,
                     charge: None,
                 }),
-                What::Charge => {
+                VisitSlot::Charge => {
                     if let Some(visit) = visits.get_mut(item.time as usize) {
                         visit.charge = Some(shared);
                     }

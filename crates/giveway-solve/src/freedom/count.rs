@@ -8,7 +8,7 @@ const FIRST_CALLS: u32 = 60;
 
 /// How counting goes on.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Counted {
+pub(super) enum CountStep {
     /// It is not finished.
     Open,
     /// There are no others.
@@ -17,7 +17,7 @@ pub(super) enum Counted {
     More(u32),
 }
 
-impl Counted {
+impl CountStep {
     /// As it is told, of so many that were found.
     pub(super) fn of(self, found: usize) -> PlanCount {
         match self {
@@ -29,20 +29,20 @@ impl Counted {
 }
 
 /// The count, as far as it is known.
-pub(super) struct Count {
+pub(super) struct PlanCounter {
     limit: u32,
-    counted: Counted,
+    counted: CountStep,
     variations: Variations,
     /// Under this literal no plan is one of the first so many that were found.
     blocked: Option<(Lit, usize)>,
 }
 
-impl Count {
+impl PlanCounter {
     /// Nothing is known yet.
     pub(super) fn new(limit: u32) -> Self {
         Self {
             limit,
-            counted: Counted::Open,
+            counted: CountStep::Open,
             variations: Variations::default(),
             blocked: None,
         }
@@ -50,12 +50,12 @@ impl Count {
 
     /// Whether all best plans were found.
     pub(super) fn is_exact(&self) -> bool {
-        self.counted == Counted::All
+        self.counted == CountStep::All
     }
 
     /// Whether it is finished.
     pub(super) fn is_settled(&self) -> bool {
-        self.counted != Counted::Open
+        self.counted != CountStep::Open
     }
 
     /// What is known.
@@ -90,7 +90,7 @@ impl Count {
         while !self.is_settled() {
             self.variations.find(every, self.limit, budget)?;
             if every.found().len() as u64 > u64::from(self.limit) {
-                self.end(every, Counted::More(self.limit));
+                self.end(every, CountStep::More(self.limit));
                 return Ok(());
             }
             if calls == Some(0) {
@@ -99,7 +99,7 @@ impl Count {
             calls = calls.map(|left| left - 1);
             let blocked = self.block(every);
             if !every.find(&[blocked])? {
-                self.end(every, Counted::All);
+                self.end(every, CountStep::All);
             }
         }
         Ok(())
@@ -118,7 +118,7 @@ impl Count {
         blocked
     }
 
-    fn end(&mut self, every: &mut Every, counted: Counted) {
+    fn end(&mut self, every: &mut Every, counted: CountStep) {
         self.counted = counted;
         if let Some((blocked, _)) = self.blocked.take() {
             every.formula.retire(blocked);

@@ -18,7 +18,7 @@ use crate::{
     budget::Stop,
     search::Proved,
     single::Place,
-    solve::{self, Task},
+    solve::{self, SolveTask},
     terrain::Vertex,
 };
 
@@ -33,7 +33,7 @@ pub(crate) struct CellNeeded(());
 
 /// What closing cells would cost, as far as it is known.
 pub(super) struct Critical<'t, 'h> {
-    task: &'t Task<'h>,
+    task: &'t SolveTask<'h>,
     scene: &'t Scene,
     optimum: Proved,
     costs: Costs,
@@ -47,7 +47,7 @@ pub(super) struct Critical<'t, 'h> {
 impl<'t, 'h> Critical<'t, 'h> {
     /// All free cells, nothing known but of those that agents need.
     pub(super) fn new(
-        (task, scene): (&'t Task<'h>, &'t Scene),
+        (task, scene): (&'t SolveTask<'h>, &'t Scene),
         (optimum, costs): (Proved, Costs),
     ) -> Self {
         let grid = task.instance.grid();
@@ -146,7 +146,7 @@ impl<'t, 'h> Critical<'t, 'h> {
             let mut rest = self.cells.iter().enumerate().skip(self.next);
             if let Some((number, _)) = rest.find(|(_, it)| it.closed.is_open()) {
                 self.next = number + 1;
-                self.solve(number, conflicts)?;
+                self.solve_without_cell(number, conflicts)?;
                 return Ok(true);
             }
             self.round += 1;
@@ -156,7 +156,7 @@ impl<'t, 'h> Critical<'t, 'h> {
     }
 
     /// Solves the scene without a cell, as long as it takes no more conflicts.
-    fn solve(&mut self, number: usize, conflicts: Option<u64>) -> Result<(), Stop> {
+    fn solve_without_cell(&mut self, number: usize, conflicts: Option<u64>) -> Result<(), Stop> {
         let Some(it) = self.cells.get_mut(number) else {
             return Ok(());
         };
@@ -169,7 +169,7 @@ impl<'t, 'h> Critical<'t, 'h> {
             ..Limits::default()
         };
         let budget = Rc::new(self.task.budget.part(limits));
-        let closed = Task {
+        let closed = SolveTask {
             instance,
             objective: self.task.objective.clone(),
             within: self.task.within.or(self.optimum.within()),
@@ -200,7 +200,7 @@ impl<'t, 'h> Critical<'t, 'h> {
     }
 }
 
-impl Task<'_> {
+impl SolveTask<'_> {
     /// A best plan without a cell, set against the best plan with it.
     fn closed_at(&self, costs: Costs, before: Costs, reach: Proved) -> Closed {
         let delta = |&cost: &Cost| {

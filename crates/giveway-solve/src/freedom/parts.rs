@@ -5,7 +5,7 @@ use giveway_model::{Costs, Plan, Scene, sorting::map};
 use super::{
     FreedomAnswer, FreedomPart, Hold, Plans, Slack,
     backbone::Backbone,
-    count::Count,
+    count::PlanCounter,
     critical::Critical,
     every::Every,
     farthest::Distance,
@@ -19,12 +19,12 @@ use crate::{
     budget::Stop,
     problem::{Problem, ProblemError},
     search::Proved,
-    solve::Task,
+    solve::SolveTask,
 };
 
 /// A best plan, and what is asked of all of them.
-pub(super) struct Subject<'a, 'h> {
-    pub(super) task: &'a Task<'h>,
+pub(super) struct BestPlan<'a, 'h> {
+    pub(super) task: &'a SolveTask<'h>,
     pub(super) scene: &'a Scene,
     pub(super) plan: &'a Plan,
     pub(super) costs: Costs,
@@ -38,7 +38,7 @@ pub(super) struct Subject<'a, 'h> {
 ///
 /// # Errors
 /// When the budget is spent; what is known until then is in the answer.
-pub(super) fn serve(subject: &Subject, answer: &mut FreedomAnswer) -> Result<(), Stop> {
+pub(super) fn serve(subject: &BestPlan, answer: &mut FreedomAnswer) -> Result<(), Stop> {
     let task = subject.task;
     let problem = match Problem::new(&task.instance, &task.budget) {
         Ok(problem) => problem,
@@ -56,7 +56,7 @@ pub(super) fn serve(subject: &Subject, answer: &mut FreedomAnswer) -> Result<(),
     let own = ways_of(&problem, &task.instance, subject.plan).ok_or(Stop::Contradiction)?;
     let mut every = Every::new(&problem, &task.instance, best, formula, own);
     let mut counting = Counting {
-        count: Count::new(subject.count),
+        count: PlanCounter::new(subject.count),
         choices: Choices::new(&every),
     };
     for part in answer.pending.clone() {
@@ -82,7 +82,7 @@ pub(super) fn serve(subject: &Subject, answer: &mut FreedomAnswer) -> Result<(),
 }
 
 /// Tells the host what is known so far.
-fn tell(task: &Task, answer: &mut FreedomAnswer) {
+fn tell(task: &SolveTask, answer: &mut FreedomAnswer) {
     answer.stats = task.budget.stats();
     let answer = Box::new(answer.clone());
     task.budget.report(&Progress::Freedom { answer });
@@ -95,7 +95,7 @@ fn backbone(every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
     ended
 }
 
-fn slack(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
+fn slack(subject: &BestPlan, every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
     let holding = Holding {
         instance: every.instance,
         objective: every.objective,
@@ -117,14 +117,14 @@ fn slack(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Re
 /// How many best plans there are, and what agents can choose from: begun in its turn,
 /// and finished after all other parts, as that may take longest.
 struct Counting {
-    count: Count,
+    count: PlanCounter,
     choices: Choices,
 }
 
 impl Counting {
     fn begin(
         &mut self,
-        subject: &Subject,
+        subject: &BestPlan,
         every: &mut Every,
         answer: &mut FreedomAnswer,
     ) -> Result<(), Stop> {
@@ -138,7 +138,7 @@ impl Counting {
 
     fn finish(
         &mut self,
-        subject: &Subject,
+        subject: &BestPlan,
         every: &mut Every,
         answer: &mut FreedomAnswer,
     ) -> Result<(), Stop> {
@@ -163,7 +163,7 @@ impl Counting {
     }
 }
 
-fn critical(subject: &Subject, every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
+fn critical(subject: &BestPlan, every: &mut Every, answer: &mut FreedomAnswer) -> Result<(), Stop> {
     let task = subject.task;
     let mut critical = Critical::new((task, subject.scene), (subject.optimum, subject.costs));
     let ended = critical.sort_out(every);

@@ -4,11 +4,11 @@ use giveway_model::{Costs, Instance, Plan, Version, check::check};
 
 use super::{
     About, FreedomAnswer, FreedomRequest,
-    parts::{self, Subject},
+    parts::{self, BestPlan},
 };
 use crate::{
     Host, Refusal, Status,
-    solve::{self, Solved, Task},
+    solve::{self, SolveTask, Solved},
 };
 
 /// Serves a freedom request, and tells the host of every part.
@@ -20,7 +20,7 @@ pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<Freedom
     let instance = Instance::new(scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let given = given(&instance, request)?;
     let objective = request.objective.clone();
-    let mut task = Task::new(instance, objective, request.within, request.limits, host);
+    let mut task = SolveTask::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&given);
     let solved = solve::solve(&task);
     let mut answer = begun(&task, given, &solved);
@@ -29,7 +29,7 @@ pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<Freedom
         (answer.status, best, solved.reach)
     {
         answer.pending = request.asked();
-        let subject = Subject {
+        let subject = BestPlan {
             task: &task,
             scene,
             plan: &plan,
@@ -59,7 +59,7 @@ fn given(instance: &Instance, request: &FreedomRequest) -> Result<Option<Plan>, 
 }
 
 /// What is known when the search for the best plan has ended.
-fn begun(task: &Task, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
+fn begun(task: &SolveTask, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
     let best = &solved.answer;
     let vector = |costs: &Costs| costs.vector(&task.objective);
     let as_good = |plan: &Plan| {

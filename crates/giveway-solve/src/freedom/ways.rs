@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     Known, Step, Ways,
-    count::Counted,
+    count::CountStep,
     every::Every,
     formula::{Way, names},
 };
@@ -26,7 +26,7 @@ type Taken = (u32, u32, u32);
 struct Choice {
     ways: BTreeSet<Way>,
     steps: BTreeSet<Taken>,
-    counted: Counted,
+    counted: CountStep,
     /// Whether the steps are all that there are.
     all: Known,
 }
@@ -44,7 +44,7 @@ impl Choices {
         let none = |_: &Way| Choice {
             ways: BTreeSet::new(),
             steps: BTreeSet::new(),
-            counted: Counted::Open,
+            counted: CountStep::Open,
             all: Known::Open,
         };
         let mut choices = Self {
@@ -59,7 +59,7 @@ impl Choices {
     pub(super) fn close(&mut self, every: &Every) {
         self.learn(every);
         for choice in &mut self.agents {
-            choice.counted = Counted::All;
+            choice.counted = CountStep::All;
             choice.all = Known::Yes;
         }
     }
@@ -71,7 +71,7 @@ impl Choices {
     pub(super) fn settle(&mut self, every: &mut Every, limit: u32) -> Result<(), Stop> {
         for agent in 0..self.agents.len() {
             let counted = self.count(every, agent, limit.min(MOST_WAYS))?;
-            let all = counted == Counted::All || self.all_steps(every, agent)?;
+            let all = counted == CountStep::All || self.all_steps(every, agent)?;
             if let Some(choice) = self.agents.get_mut(agent) {
                 choice.counted = counted;
                 if all {
@@ -116,7 +116,7 @@ impl Choices {
 
     /// Finds the ways of one agent in best plans, until there are no others, or more
     /// than a number.
-    fn count(&mut self, every: &mut Every, agent: usize, limit: u32) -> Result<Counted, Stop> {
+    fn count(&mut self, every: &mut Every, agent: usize, limit: u32) -> Result<CountStep, Stop> {
         let mut blocked = None;
         let mut done: BTreeSet<Way> = BTreeSet::new();
         let counted = loop {
@@ -125,7 +125,7 @@ impl Choices {
             let known = known.into_iter().flatten();
             let new: Vec<Way> = known.filter(|way| !done.contains(way)).cloned().collect();
             if (done.len() + new.len()) as u64 > u64::from(limit) {
-                break Counted::More(limit);
+                break CountStep::More(limit);
             }
             let selector = *blocked.get_or_insert_with(|| every.formula.fresh());
             for way in new {
@@ -134,7 +134,7 @@ impl Choices {
                 done.insert(way);
             }
             if !every.find(&[selector])? {
-                break Counted::All;
+                break CountStep::All;
             }
         };
         if let Some(selector) = blocked {

@@ -19,7 +19,7 @@ use giveway_model::{Condition, Cost, Instance};
 use crate::{
     budget::Budget,
     encode::collisions::AgentId,
-    problem::{HopelessAlone, Problem, ProblemError},
+    problem::{NeverAlone, Problem, ProblemError},
 };
 
 pub(crate) use precedence::Precedence;
@@ -92,7 +92,7 @@ pub(crate) fn impose(
     };
     let mut task = problem.tasks[agent].clone();
     let precedence = task::require(condition, instance, problem, agent, &mut task)
-        .map_err(|error| ProblemError::Alone(agent, HopelessAlone::Condition(error)))?;
+        .map_err(|error| ProblemError::Alone(agent, NeverAlone::Condition(error)))?;
     problem.precedences.extend(precedence);
     Ok(problem.add(agent, task, budget)?)
 }

@@ -19,7 +19,7 @@ use giveway_model::{Cost, Objective};
 use self::{
     agent::Single,
     event::Event,
-    tally::{Counted, Tally},
+    tally::{TalliedCosts, Tally},
 };
 use crate::{
     budget::{Budget, Stop},
@@ -39,12 +39,12 @@ const MANY_STATES: usize = 4_000_000;
 
 /// Whether there are so few joint states that they are best exhausted at once.
 pub(crate) fn is_small(problem: &Problem, budget: &Budget) -> bool {
-    joint_states(problem, 0..problem.agents()) <= budget.thresholds().few_joint_states
+    product_of_states(problem, 0..problem.agents()) <= budget.thresholds().few_joint_states
 }
 
 /// The product of the numbers of states that agents have alone: no fewer than their joint
 /// states.
-fn joint_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> usize {
+fn product_of_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> usize {
     let states = agents.map(|agent| {
         let task = &problem.tasks[agent];
         let cells = problem.terrain.size();
@@ -57,8 +57,8 @@ fn joint_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> usi
 
 /// Whether it is worth the try to exhaust the joint states of some agents.
 fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
-    let few =
-        agents.len() <= MOST_AGENTS || joint_states(problem, agents.iter().copied()) <= MANY_STATES;
+    let few = agents.len() <= MOST_AGENTS
+        || product_of_states(problem, agents.iter().copied()) <= MANY_STATES;
     let counted = |&agent: &AgentId| event::can_count(&problem.tasks[agent]);
     few && !agents.is_empty() && agents.iter().all(counted)
 }
@@ -76,7 +76,7 @@ enum Ended {
 
 /// What is known of some agents among themselves, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Exhausted<T, P = AllStates> {
+pub(crate) enum Exhaustion<T, P = AllStates> {
     /// The best plan, or its cost.
     Best(T, P),
     /// There is no plan.
@@ -106,7 +106,7 @@ pub(crate) fn any(
     problem: &Problem,
     agents: &[AgentId],
     budget: &Budget,
-) -> Result<Exhausted<()>, Stop> {
+) -> Result<Exhaustion<()>, Stop> {
     let outcome = run(problem, agents, &[], &NO_LIMITS, budget)?;
     Ok(outcome.map(|_, _| (), AllStates(())))
 }
@@ -120,7 +120,7 @@ pub(crate) fn least(
     agents: &[AgentId],
     cost: Cost,
     budget: &Budget,
-) -> Result<Exhausted<u32>, Stop> {
+) -> Result<Exhaustion<u32>, Stop> {
     let outcome = run(problem, agents, &[cost], &NO_LIMITS, budget)?;
     Ok(outcome.map(|vector, _| vector[0], AllStates(())))
 }
@@ -129,7 +129,7 @@ pub(crate) fn least(
 ///
 /// # Errors
 /// When the budget is spent.
-pub(crate) fn soonest(problem: &Problem, budget: &Budget) -> Result<Exhausted<BestPlan>, Stop> {
+pub(crate) fn soonest(problem: &Problem, budget: &Budget) -> Result<Exhaustion<BestPlan>, Stop> {
     let shown = AllStates(());
     best_of(problem, &[Cost::Makespan], &NO_LIMITS, shown, budget)
 }
@@ -144,7 +144,7 @@ pub(crate) fn best(
     objective: &Objective,
     (limits, latest): (&BTreeMap<Cost, u32>, Option<u32>),
     budget: &Budget,
-) -> Result<Exhausted<BestPlan, Option<AllStates>>, Stop> {
+) -> Result<Exhaustion<BestPlan, Option<AllStates>>, Stop> {
     let mut limits = limits.clone();
     limits.extend(latest.map(|latest| (Cost::Makespan, latest)));
     let shown = latest.is_none().then_some(AllStates(()));
@@ -157,7 +157,7 @@ fn best_of<P>(
     limits: &BTreeMap<Cost, u32>,
     shown: P,
     budget: &Budget,
-) -> Result<Exhausted<BestPlan, P>, Stop> {
+) -> Result<Exhaustion<BestPlan, P>, Stop> {
     let all: Vec<AgentId> = (0..problem.agents()).collect();
     let outcome = run(problem, &all, costs, limits, budget)?;
     let plan = |vector: Vec<u32>, way: &[Vec<Single>]| BestPlan {
@@ -183,7 +183,7 @@ fn run(
     let search = Joint {
         problem,
         agents,
-        counted: Counted::new(costs, limits),
+        counted: TalliedCosts::new(costs, limits),
     };
     let most = MOST_STEPS.min(usize::try_from(budget.joint_left()).unwrap_or(MOST_STEPS));
     let mut steps = 0;
@@ -197,11 +197,11 @@ impl Ended {
         self,
         best: impl FnOnce(Vec<u32>, &[Vec<Single>]) -> T,
         shown: P,
-    ) -> Exhausted<T, P> {
+    ) -> Exhaustion<T, P> {
         match self {
-            Self::Best(vector, way) => Exhausted::Best(best(vector, &way), shown),
-            Self::None => Exhausted::None(shown),
-            Self::TooMany => Exhausted::TooMany,
+            Self::Best(vector, way) => Exhaustion::Best(best(vector, &way), shown),
+            Self::None => Exhaustion::None(shown),
+            Self::TooMany => Exhaustion::TooMany,
         }
     }
 }
@@ -233,7 +233,7 @@ fn walk(problem: &Problem, agent: AgentId, way: &[Vec<Single>]) -> Walk {
 struct Joint<'a> {
     problem: &'a Problem,
     agents: &'a [AgentId],
-    counted: Counted,
+    counted: TalliedCosts,
 }
 
 impl Joint<'_> {

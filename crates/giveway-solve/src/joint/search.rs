@@ -17,11 +17,11 @@ use super::{
     Ended, Joint,
     agent::Single,
     event::first_count,
-    states::{StateId, States, Step, Table, to_go},
+    states::{AgentStep, StateId, States, Table, to_go},
     tally::Tally,
 };
 use crate::{
-    budget::{Budget, Held, Stop},
+    budget::{Budget, MemoryUse, Stop},
     impose::Precedence,
     single::Task,
 };
@@ -53,7 +53,7 @@ struct Search<'a> {
     numbers: Table<Rc<[u32]>>,
     open: BinaryHeap<Open>,
     budget: &'a Budget<'a>,
-    held: Held,
+    held: MemoryUse,
 }
 
 impl Joint<'_> {
@@ -75,7 +75,7 @@ impl Joint<'_> {
             numbers: Table::default(),
             open: BinaryHeap::new(),
             budget,
-            held: Held::default(),
+            held: MemoryUse::default(),
         };
         for (start, paid) in self.starts() {
             let numbers = search.states.iter_mut().zip(start);
@@ -146,8 +146,8 @@ impl Joint<'_> {
             return Tally::default();
         }
         self.counted.tally(|cost| match cost {
-            Cost::SumOfCosts => task.woken,
-            Cost::Waits => task.stood,
+            Cost::SumOfCosts => task.cost_if_it_leaves_goal,
+            Cost::Waits => task.waits_if_it_leaves_goal,
             Cost::Makespan | Cost::Charges | Cost::Moves => 0,
         })
     }
@@ -170,7 +170,12 @@ impl Joint<'_> {
     }
 
     /// Calls `take` with each way to go on at once without a collision.
-    fn combine(&self, steps: &[Rc<[Step]>], chosen: &mut Vec<Step>, take: &mut dyn FnMut(&[Step])) {
+    fn combine(
+        &self,
+        steps: &[Rc<[AgentStep]>],
+        chosen: &mut Vec<AgentStep>,
+        take: &mut dyn FnMut(&[AgentStep]),
+    ) {
         let i = chosen.len();
         let Some(choices) = steps.get(i) else {
             return take(chosen);
@@ -211,7 +216,7 @@ impl Search<'_> {
     fn expand(&mut self, id: NodeId, paid: Tally) -> usize {
         let numbers: Vec<StateId> = self.numbers(id).to_vec();
         let own = self.states.iter_mut().zip(&numbers);
-        let steps: Vec<Rc<[Step]>> = own.map(|(states, &id)| states.steps(id)).collect();
+        let steps: Vec<Rc<[AgentStep]>> = own.map(|(states, &id)| states.steps(id)).collect();
         let joint = self.joint;
         let before = (!joint.problem.precedences.is_empty()).then(|| self.singles(&numbers));
         // Somebody has not arrived yet.

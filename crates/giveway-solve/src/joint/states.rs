@@ -9,7 +9,7 @@ use rustc_hash::FxBuildHasher;
 use super::{
     Joint,
     agent::Single,
-    tally::{Counted, Tally},
+    tally::{TalliedCosts, Tally},
 };
 use crate::{
     budget::{Budget, Stop},
@@ -29,7 +29,7 @@ pub(super) type Table<K> = std::collections::HashMap<K, u32, FxBuildHasher>;
 
 /// A step of one agent.
 #[derive(Clone, Copy)]
-pub(super) struct Step {
+pub(super) struct AgentStep {
     pub(super) to: StateId,
     /// The vertex that the agent holds after it.
     pub(super) stands: Option<Vertex>,
@@ -46,7 +46,7 @@ struct Met {
     /// The steps that the agent alone still needs at the least.
     steps_to_go: u32,
     /// The steps that begin here, as soon as they are asked for.
-    steps: Option<Rc<[Step]>>,
+    steps: Option<Rc<[AgentStep]>>,
 }
 
 /// The states of one agent.
@@ -119,20 +119,20 @@ impl<'a> States<'a> {
     }
 
     /// The steps that begin in a state.
-    pub(super) fn steps(&mut self, id: StateId) -> Rc<[Step]> {
+    pub(super) fn steps(&mut self, id: StateId) -> Rc<[AgentStep]> {
         if let Some(steps) = &self.met[id as usize].steps {
             return Rc::clone(steps);
         }
         let moves = self.joint.moves(self.agent, self.state(id));
         let steps = moves.into_iter().filter_map(|step| {
-            Some(Step {
+            Some(AgentStep {
                 to: self.number(step.to)?,
                 stands: Joint::stands(step.to),
                 arc: step.arc,
                 cost: step.cost,
             })
         });
-        let steps: Rc<[Step]> = steps.collect();
+        let steps: Rc<[AgentStep]> = steps.collect();
         self.met[id as usize].steps = Some(Rc::clone(&steps));
         steps
     }
@@ -177,7 +177,7 @@ fn arrival(problem: &Problem, place: Place) -> (Vertex, u32) {
 }
 
 /// The least that agents still pay together in a joint state.
-pub(super) fn to_go(counted: &Counted, states: &[States<'_>], joint: &[StateId]) -> Tally {
+pub(super) fn to_go(counted: &TalliedCosts, states: &[States<'_>], joint: &[StateId]) -> Tally {
     let each = states
         .iter()
         .zip(joint)

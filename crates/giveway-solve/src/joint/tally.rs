@@ -13,7 +13,7 @@ const MOST_COSTS: usize = 10;
 pub(super) struct Tally([u32; MOST_COSTS]);
 
 /// The costs that are counted.
-pub(super) struct Counted {
+pub(super) struct TalliedCosts {
     costs: Vec<Cost>,
     /// The number of those of the objective, which come first.
     objective: usize,
@@ -21,7 +21,7 @@ pub(super) struct Counted {
     limits: Vec<u32>,
 }
 
-impl Counted {
+impl TalliedCosts {
     pub(super) fn new(objective: &[Cost], limits: &BTreeMap<Cost, u32>) -> Self {
         Self {
             costs: objective.iter().chain(limits.keys()).copied().collect(),

@@ -2,7 +2,7 @@
 
 use giveway_model::format::native;
 
-use super::{Exhausted, any};
+use super::{Exhaustion, any};
 use crate::{
     Limits, SilentHost,
     budget::{Budget, Stop},
@@ -35,7 +35,7 @@ fn joint_states_count_as_memory() {
         };
         any(&problem, &[0, 1], &Budget::new(&SilentHost, limits))
     };
-    assert!(matches!(exhaust(None), Ok(Exhausted::None(_))));
-    assert!(matches!(exhaust(Some(10_000_000)), Ok(Exhausted::None(_))));
+    assert!(matches!(exhaust(None), Ok(Exhaustion::None(_))));
+    assert!(matches!(exhaust(Some(10_000_000)), Ok(Exhaustion::None(_))));
     assert_eq!(exhaust(Some(20_000)), Err(Stop::Memory));
 }

@@ -25,7 +25,7 @@ pub(crate) fn serve(request: &PlanRequest, host: &dyn Host) -> Result<PlanAnswer
         Some(objective) => instance.with_objective(objective.clone()),
         None => instance,
     };
-    let task = Task {
+    let task = PlanTask {
         request,
         order: order(request, &instance)?,
         names: names(&instance),
@@ -60,7 +60,7 @@ fn order(request: &PlanRequest, instance: &Instance) -> Result<Order, Refusal> {
 }
 
 /// A request that was checked.
-struct Task<'a> {
+struct PlanTask<'a> {
     request: &'a PlanRequest,
     order: Order,
     names: Vec<String>,
@@ -68,7 +68,7 @@ struct Task<'a> {
     budget: Budget<'a>,
 }
 
-impl Task<'_> {
+impl PlanTask<'_> {
     fn plan(&self, problem: &Problem) -> PlanAnswer {
         let grid = self.instance.grid();
         let asked = Asked {

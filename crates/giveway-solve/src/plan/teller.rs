@@ -3,11 +3,11 @@
 use giveway_model::{Cell, Path, Version};
 use giveway_planners::{
     AgentId,
-    cbs::{Cardinality, Conflict, Constraint, Fate, Kind, Rule, Tree},
+    cbs::{Cardinality, Conflict, ConflictKind, Constraint, Fate, Rule, Tree},
     lacam::{Event, Made},
     pibt::Inheritance,
     planner::Trace,
-    prioritised::{Attempt, Stuck},
+    prioritised::{OrderAttempt, Stuck},
     problem::Problem,
     single::Place,
     terrain::Vertex,
@@ -72,7 +72,7 @@ impl Teller<'_> {
         }
     }
 
-    fn order(&self, attempt: &Attempt) -> OrderTried {
+    fn order(&self, attempt: &OrderAttempt) -> OrderTried {
         let planned = attempt.planned.iter().map(|planned| PlannedAgent {
             agent: self.name(planned.agent),
             arrival: planned.arrival,
@@ -184,7 +184,7 @@ impl Teller<'_> {
             Cardinality::NonCardinal => 0,
         };
         match conflict.kind {
-            Kind::Vertex { v, time } => {
+            ConflictKind::Vertex { v, time } => {
                 let cell = self.cell(v);
                 ToldConflict::Vertex {
                     agents,
@@ -193,7 +193,7 @@ impl Teller<'_> {
                     delays,
                 }
             }
-            Kind::Swap { arc, time } => {
+            ConflictKind::Swap { arc, time } => {
                 let edge = self.edge(arc);
                 ToldConflict::Swap {
                     agents,
@@ -202,7 +202,7 @@ impl Teller<'_> {
                     delays,
                 }
             }
-            Kind::Target { v, time } => {
+            ConflictKind::Target { v, time } => {
                 let cell = self.cell(v);
                 ToldConflict::Target {
                     agents,

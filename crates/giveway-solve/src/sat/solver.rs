@@ -9,7 +9,7 @@ use super::tests::either::Either as Engine;
 #[cfg(not(test))]
 use super::varisat::Varisat as Engine;
 use super::{Clauses, Core, Lit};
-use crate::budget::Held;
+use crate::budget::MemoryUse;
 use crate::budget::{Budget, Stop};
 
 /// Bytes that varisat takes for a clause beside its literals, and for a
@@ -45,7 +45,7 @@ pub(crate) struct Sat<'h> {
     budget: Rc<Budget<'h>>,
     variables: u32,
     placeholders: Placeholders,
-    held: Held,
+    held: MemoryUse,
     model: Vec<bool>,
     verify: bool,
     /// Literals of the last core that are known to be needed in it.
@@ -63,7 +63,7 @@ impl<'h> Sat<'h> {
             budget,
             variables: 0,
             placeholders: Placeholders::new(freed),
-            held: Held::default(),
+            held: MemoryUse::default(),
             model: Vec::new(),
             verify: true,
             needed: Vec::new(),

@@ -2,7 +2,7 @@
 
 use giveway_model::Cost;
 
-use super::{for_ever::Known, minima::LoneBound, stage::Search};
+use super::{for_ever::LeastForEver, minima::LoneBound, stage::Search};
 use crate::sat::Core;
 
 /// No plan with the optima of all costs before it has less of a cost. It begins with what
@@ -30,7 +30,7 @@ impl Bound {
     }
 
     /// What is known of its cost in another way.
-    pub(super) fn take_known(&mut self, known: Known) {
+    pub(super) fn take_known(&mut self, known: LeastForEver) {
         self.at_least = self.at_least.max(known.least);
     }
 

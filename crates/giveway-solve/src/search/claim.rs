@@ -12,8 +12,8 @@ use super::bound::Optimum;
 
 /// The claim of a search.
 #[derive(Default)]
-pub(super) struct Claim {
-    state: State,
+pub(super) struct SearchClaim {
+    state: ClaimState,
     /// The optima that hold for good.
     optima: BTreeMap<Cost, u32>,
     /// Costs of which agents outside have their own minima.
@@ -24,7 +24,7 @@ pub(super) struct Claim {
 
 /// Where a search stands.
 #[derive(Default)]
-enum State {
+enum ClaimState {
     /// No cost is under way.
     #[default]
     Open,
@@ -39,11 +39,11 @@ enum State {
     },
 }
 
-impl Claim {
+impl SearchClaim {
     /// The least of a cost is to be proved.
     pub(super) fn begin(&mut self, cost: Cost, minimises: bool) {
         self.keep_outside(cost);
-        self.state = State::Proving {
+        self.state = ClaimState::Proving {
             minimises,
             at_most: None,
             in_force: false,
@@ -53,7 +53,7 @@ impl Claim {
     /// The least of a cost is proved, and every plan from now on has it.
     pub(super) fn finish(&mut self, optimum: Optimum) {
         self.optima.insert(optimum.cost(), optimum.least());
-        self.state = State::Open;
+        self.state = ClaimState::Open;
     }
 
     /// Agents outside have their own minima of a cost.
@@ -74,14 +74,14 @@ impl Claim {
 
     /// From now on plans may be excluded that have more than this of the cost under way.
     pub(super) fn exclude_above(&mut self, most: u32) {
-        if let State::Proving { at_most, .. } = &mut self.state {
+        if let ClaimState::Proving { at_most, .. } = &mut self.state {
             *at_most = Some(most);
         }
     }
 
     /// A clause excludes plans that are worse than the best one.
     pub(super) fn has_excluded(&mut self) {
-        if let State::Proving { in_force, .. } = &mut self.state {
+        if let ClaimState::Proving { in_force, .. } = &mut self.state {
             *in_force = true;
         }
     }
@@ -90,7 +90,7 @@ impl Claim {
     pub(super) const fn minimises_cores(&self) -> bool {
         matches!(
             self.state,
-            State::Proving {
+            ClaimState::Proving {
                 minimises: true,
                 ..
             }
@@ -100,12 +100,12 @@ impl Claim {
     /// The most of the cost under way, where clauses exclude more.
     pub(super) const fn excluded_above(&self) -> Option<u32> {
         match self.state {
-            State::Proving {
+            ClaimState::Proving {
                 at_most,
                 in_force: true,
                 ..
             } => at_most,
-            State::Proving { .. } | State::Open => None,
+            ClaimState::Proving { .. } | ClaimState::Open => None,
         }
     }
 

@@ -28,7 +28,7 @@ use crate::{
     walk::Walk,
 };
 use agents::AsBefore;
-use clauses::Written;
+use clauses::WrittenClauses;
 
 /// What is to be as small as can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,13 +42,13 @@ pub(crate) enum Extent {
 /// What one agent does in the given plan; its walk is empty where it is not
 /// there.
 #[derive(Clone, Debug)]
-pub(crate) struct Before {
+pub(crate) struct GivenWalk {
     pub(crate) walk: Walk,
     pub(crate) charges: Vec<u32>,
 }
 
 /// A plan close to the given one.
-pub(crate) struct Close {
+pub(crate) struct ClosestPlan {
     pub(crate) walks: Vec<Walk>,
     /// Agents that do as before, charges included.
     pub(crate) same: Vec<bool>,
@@ -68,11 +68,11 @@ pub(super) struct NoneCloser(());
 /// When the budget is spent before there is any.
 pub(crate) fn closest(
     problem: &Problem,
-    before: &[Before],
+    before: &[GivenWalk],
     bounded: &Bounded,
     extent: Extent,
     budget: &Rc<Budget>,
-) -> Result<Option<Close>, Stop> {
+) -> Result<Option<ClosestPlan>, Stop> {
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
     let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_, _| {});
@@ -89,7 +89,7 @@ pub(crate) fn closest(
         before,
         search,
         traces: (0..agents).map(|_| None).collect(),
-        written: vec![Written::default(); agents],
+        written: vec![WrittenClauses::default(); agents],
         differs: BTreeMap::new(),
     };
     let Some(shown) = near.find(bounded)? else {
@@ -118,10 +118,10 @@ struct Trace {
 
 struct Near<'p, 'h> {
     problem: &'p Problem,
-    before: &'p [Before],
+    before: &'p [GivenWalk],
     search: Search<'p, 'h, 'p>,
     traces: Vec<Option<Trace>>,
-    written: Vec<Written>,
+    written: Vec<WrittenClauses>,
     /// "Its entry at this time differs", of inside agents, once they count.
     differs: BTreeMap<AgentId, Vec<Lit>>,
 }
@@ -138,14 +138,14 @@ impl Near<'_, '_> {
     }
 
     /// The plan of the last model.
-    fn read(&mut self) -> Close {
+    fn read(&mut self) -> ClosestPlan {
         self.search.team.read();
         let team = &self.search.team;
         let same = self.traces.iter().enumerate().map(|(agent, trace)| {
             let held = trace.as_ref().map(|trace| team.is_true(trace.same));
             held.unwrap_or(!team.is_inside(agent))
         });
-        Close {
+        ClosestPlan {
             same: same.collect(),
             walks: team.walks.clone(),
             proved: None,

@@ -20,7 +20,7 @@ pub(crate) enum Keeping {
 
 /// Why no later arrival is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Reason {
+enum DeadlineReason {
     /// What is claimed excludes it at any horizon.
     Claim,
     /// So does the best plan: only worse ones arrive later.
@@ -33,7 +33,7 @@ enum Reason {
 #[derive(Clone, Copy, Debug)]
 struct Cap {
     latest: u32,
-    reason: Reason,
+    reason: DeadlineReason,
     is_clause: bool,
 }
 
@@ -68,9 +68,9 @@ impl Deadlines {
             Cap {
                 latest: claimed.min(horizon.latest()),
                 reason: if horizon_first {
-                    Reason::Horizon
+                    DeadlineReason::Horizon
                 } else {
-                    Reason::Claim
+                    DeadlineReason::Claim
                 },
                 is_clause: false,
             }
@@ -101,15 +101,15 @@ impl Deadlines {
     /// Excludes later arrivals of an agent, as what is claimed does; whether
     /// that is news.
     pub(super) fn lower(&mut self, agent: AgentId, latest: u32) -> bool {
-        self.lower_for(agent, latest, Reason::Claim)
+        self.lower_for(agent, latest, DeadlineReason::Claim)
     }
 
     /// The same, as only plans worse than the best one have later arrivals.
     pub(super) fn lower_by_best(&mut self, agent: AgentId, latest: u32) -> bool {
-        self.lower_for(agent, latest, Reason::Best)
+        self.lower_for(agent, latest, DeadlineReason::Best)
     }
 
-    fn lower_for(&mut self, agent: AgentId, latest: u32, reason: Reason) -> bool {
+    fn lower_for(&mut self, agent: AgentId, latest: u32, reason: DeadlineReason) -> bool {
         let cap = &mut self.caps[agent];
         if latest >= cap.latest {
             return false;
@@ -130,7 +130,7 @@ impl Deadlines {
             return None;
         }
         cap.is_clause = true;
-        self.entered |= cap.reason == Reason::Horizon;
+        self.entered |= cap.reason == DeadlineReason::Horizon;
         Some(cap.latest)
     }
 
@@ -165,13 +165,13 @@ impl Deadlines {
     /// Whether only plans worse than the best one are known to have later arrivals of
     /// an agent.
     pub(super) fn is_of_best(&self, agent: AgentId) -> bool {
-        self.caps[agent].reason == Reason::Best
+        self.caps[agent].reason == DeadlineReason::Best
     }
 
     /// Whether a refutation under the caps of these agents, and of no others, did not use the
     /// horizon. Deadlines that were assumptions of the call must be named among them.
     pub(super) fn free_of_horizon(&self, agents: &[AgentId]) -> Option<NoHorizon> {
-        let claimed = |&agent: &AgentId| self.caps[agent].reason != Reason::Horizon;
+        let claimed = |&agent: &AgentId| self.caps[agent].reason != DeadlineReason::Horizon;
         let free = !self.entered && agents.iter().all(claimed);
         free.then_some(NoHorizon(()))
     }

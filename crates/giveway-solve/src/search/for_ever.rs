@@ -30,7 +30,7 @@ use crate::{
 };
 
 pub(crate) use bounds::reach_of_bounds;
-pub(super) use exhausted::{Known, above_limits, best, exhausted, known_for_ever, soonest};
+pub(super) use exhausted::{LeastForEver, above_limits, best, exhausted, known_for_ever, soonest};
 pub(super) use optima::OfOptima;
 pub(crate) use proved::Proved;
 pub(super) use token::Least;

@@ -14,7 +14,7 @@ const LATEST: u32 = 1_000_000_000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Horizon {
     latest: u32,
-    beyond_use: bool,
+    covers_every_plan: bool,
 }
 
 /// The proof that all plans that count arrive within a horizon, or have a counterpart of
@@ -29,10 +29,10 @@ impl Horizon {
     pub(crate) fn of(problem: &Problem, grid: &Grid, within: Option<u32>, at_least: u32) -> Self {
         let default = problem.default_horizon(grid);
         let asked = within.unwrap_or(default.max(at_least)).min(LATEST);
-        match problem.joint_states() {
+        match problem.sufficient_horizon() {
             Some(states) if states <= asked => Self {
                 latest: states,
-                beyond_use: true,
+                covers_every_plan: true,
             },
             _ => Self::at(asked),
         }
@@ -42,7 +42,7 @@ impl Horizon {
     pub(crate) const fn at(latest: u32) -> Self {
         Self {
             latest,
-            beyond_use: false,
+            covers_every_plan: false,
         }
     }
 
@@ -54,12 +54,12 @@ impl Horizon {
     /// Whether a plan that ends later can always be made one that ends in time,
     /// of no higher costs.
     pub(crate) const fn is_beyond_use(self) -> bool {
-        self.beyond_use
+        self.covers_every_plan
     }
 
     /// All plans, where later ones are of no use.
     pub(crate) fn covers_all(self) -> Option<AllInTime> {
-        self.beyond_use.then_some(AllInTime(()))
+        self.covers_every_plan.then_some(AllInTime(()))
     }
 
     /// The plans that have at most this of a cost. (A plan of few charges, moves or

@@ -6,7 +6,7 @@ use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
     first::First,
-    local::{Others, Reservations},
+    local::{OtherAgents, Reservations},
     problem::Problem,
     trace::FoundBy,
     walk::{Walk, arrival, costs},

@@ -12,7 +12,7 @@ use super::{
     feasible,
     for_ever::{self, Proved},
     incumbent::{Incumbent, free_of_collisions},
-    prove::{Given, Shown, is_met, or_exhausted, prove},
+    prove::{SearchEnd, SearchInput, is_met, or_exhausted, prove},
     stage::{Search, Subject},
 };
 use crate::{
@@ -92,7 +92,7 @@ fn find_from(
         stop: None,
         clash: Vec::new(),
     };
-    let given = Given {
+    let given = SearchInput {
         problem,
         bounded,
         aim,
@@ -100,15 +100,15 @@ fn find_from(
     };
     let end = run(given, &mut incumbent, &mut verdict);
     match end {
-        Ok(Shown::Plan) => {}
-        Ok(Shown::NoPlan(reason)) if incumbent.costs().is_none() => {
+        Ok(SearchEnd::Plan) => {}
+        Ok(SearchEnd::NoPlan(reason)) if incumbent.costs().is_none() => {
             verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
         }
-        Ok(Shown::Best(reason)) if incumbent.costs().is_some() => {
+        Ok(SearchEnd::Best(reason)) if incumbent.costs().is_some() => {
             verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
         }
         // What was shown is not about what was found.
-        Ok(Shown::NoPlan(_) | Shown::Best(_)) => verdict.stop = Some(Stop::Contradiction),
+        Ok(SearchEnd::NoPlan(_) | SearchEnd::Best(_)) => verdict.stop = Some(Stop::Contradiction),
         Err(stop) => verdict.stop = Some(stop),
     }
     verdict.best = incumbent.into_best();
@@ -121,8 +121,12 @@ fn find_from(
     verdict
 }
 
-fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result<Shown, Stop> {
-    let Given {
+fn run(
+    given: SearchInput,
+    incumbent: &mut Incumbent,
+    verdict: &mut Verdict,
+) -> Result<SearchEnd, Stop> {
+    let SearchInput {
         problem,
         bounded,
         aim,
@@ -130,11 +134,11 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
     } = given;
     if let Some((agent, reason)) = for_ever::too_late(problem, bounded, budget)? {
         verdict.clash = vec![agent];
-        return Ok(Shown::NoPlan(reason));
+        return Ok(SearchEnd::NoPlan(reason));
     }
     if let Some((agent, too_low)) = for_ever::asked_below_minimum(problem, budget)? {
         verdict.clash = vec![agent];
-        return Ok(Shown::NoPlan(Some(too_low.into())));
+        return Ok(SearchEnd::NoPlan(Some(too_low.into())));
     }
     let walks = apart(problem, budget)?;
     // Outside the SAT solver each agent has a walk at its optimum.
@@ -173,9 +177,9 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
             && let Some(reason) = for_ever::above_limits(problem, bounded, budget)?
         {
             verdict.clash = all;
-            return Ok(Shown::NoPlan(Some(reason)));
+            return Ok(SearchEnd::NoPlan(Some(reason)));
         }
-        let by_sat = |given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict| {
+        let by_sat = |given: SearchInput, incumbent: &mut Incumbent, verdict: &mut Verdict| {
             first_by_sat(given, &walks, incumbent, verdict)
         };
         if let Some(shown) = or_exhausted(given, incumbent, verdict, by_sat, Some)? {
@@ -187,7 +191,11 @@ fn run(given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict) -> Result
 
 /// A first plan of many agents is made better before the proof begins: that is where
 /// the proof takes long, and the plan is far from the best.
-fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) -> Result<(), Stop> {
+fn first_polish(
+    given: SearchInput,
+    mut plan: Vec<Walk>,
+    incumbent: &mut Incumbent,
+) -> Result<(), Stop> {
     let objective = incumbent.objective().clone();
     let best = incumbent
         .costs()
@@ -220,13 +228,13 @@ fn first_polish(given: Given, mut plan: Vec<Walk>, incumbent: &mut Incumbent) ->
 
 /// The proof that no plan is better than the one at hand, where that is asked for.
 fn prove_or_take(
-    given: Given,
+    given: SearchInput,
     walks: &[Walk],
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-) -> Result<Shown, Stop> {
+) -> Result<SearchEnd, Stop> {
     if is_met(given.aim, incumbent) {
-        return Ok(Shown::Plan);
+        return Ok(SearchEnd::Plan);
     }
     prove(given, walks, incumbent, verdict)
 }
@@ -234,12 +242,12 @@ fn prove_or_take(
 /// Looks for a first plan by SAT and offers it; the claim that there is none, where that was
 /// proved instead.
 fn first_by_sat(
-    given: Given,
+    given: SearchInput,
     walks: &[Walk],
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-) -> Result<Option<Shown>, Stop> {
-    let Given {
+) -> Result<Option<SearchEnd>, Stop> {
+    let SearchInput {
         problem,
         bounded,
         budget,
@@ -252,12 +260,12 @@ fn first_by_sat(
     };
     let mut search = Search::new(subject, Keeping::Assumed, incumbent, Rc::clone(budget));
     if let Some(too_low) = search.keep_limits(bounded)? {
-        return Ok(Some(Shown::NoPlan(Some(too_low.into()))));
+        return Ok(Some(SearchEnd::NoPlan(Some(too_low.into()))));
     }
     let Some(core) = feasible::run(&mut search)? else {
         return Ok(None);
     };
     let reason = for_ever::impossible(&search, bounded, &core)?;
     verdict.clash = core.agents().to_vec();
-    Ok(Some(Shown::NoPlan(reason)))
+    Ok(Some(SearchEnd::NoPlan(reason)))
 }

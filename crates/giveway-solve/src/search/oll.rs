@@ -178,7 +178,7 @@ impl<L: Level> Oll<L> {
 
     /// A core of these violations pays for one: a single one is certain, further ones
     /// are to be counted.
-    pub(super) fn pay(&mut self, formula: &mut impl Formula, violations: Vec<Lit>) {
+    pub(super) fn record_core(&mut self, formula: &mut impl Formula, violations: Vec<Lit>) {
         if let [violation] = *violations {
             formula.clauses().clause(&[violation]);
         } else {
@@ -204,7 +204,7 @@ impl<L: Level> Oll<L> {
             });
             self.waiting.extend(soft.raised(1));
         }
-        self.pay(formula, violations);
+        self.record_core(formula, violations);
         Ok(())
     }
 

@@ -8,7 +8,7 @@ use super::{
     aim::{Aim, Bounded, Verdict},
     bound::Bound,
     deadlines::Keeping,
-    for_ever::{self, ForEver, Known, Least, NoPlan, OfOptima},
+    for_ever::{self, ForEver, Least, LeastForEver, NoPlan, OfOptima},
     incumbent::Incumbent,
     makespan,
     stage::{End, Search, Subject},
@@ -25,7 +25,7 @@ use crate::{
 
 /// What a search is given, and never changes.
 #[derive(Clone, Copy)]
-pub(super) struct Given<'a, 'h> {
+pub(super) struct SearchInput<'a, 'h> {
     pub(super) problem: &'a Problem,
     pub(super) bounded: &'a Bounded,
     pub(super) aim: &'a Aim,
@@ -34,7 +34,7 @@ pub(super) struct Given<'a, 'h> {
 
 /// What a search has shown in the end.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Shown {
+pub(super) enum SearchEnd {
     /// No more than the plan at hand, which is all that was looked for.
     Plan,
     /// That there is no plan: within the horizon, or for this reason at any.
@@ -51,12 +51,12 @@ pub(super) fn is_met(aim: &Aim, incumbent: &Incumbent) -> bool {
 
 /// The optima of all costs, one after the other.
 pub(super) fn prove(
-    given: Given,
+    given: SearchInput,
     walks: &[Walk],
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-) -> Result<Shown, Stop> {
-    let by_sat = |given: Given, incumbent: &mut Incumbent, verdict: &mut Verdict| {
+) -> Result<SearchEnd, Stop> {
+    let by_sat = |given: SearchInput, incumbent: &mut Incumbent, verdict: &mut Verdict| {
         prove_by_sat(given, walks, incumbent, verdict)
     };
     or_exhausted(given, incumbent, verdict, by_sat, |shown| shown)
@@ -65,13 +65,13 @@ pub(super) fn prove(
 /// What SAT shows. Where it finds that hard and there are few joint states, these are
 /// exhausted: they show the best plan, so that nothing is left to show.
 pub(super) fn or_exhausted<T>(
-    given: Given,
+    given: SearchInput,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-    by_sat: impl Fn(Given, &mut Incumbent, &mut Verdict) -> Result<T, Stop>,
-    all_shown: impl FnOnce(Shown) -> T,
+    by_sat: impl Fn(SearchInput, &mut Incumbent, &mut Verdict) -> Result<T, Stop>,
+    all_shown: impl FnOnce(SearchEnd) -> T,
 ) -> Result<T, Stop> {
-    let Given {
+    let SearchInput {
         problem, budget, ..
     } = given;
     if !joint::is_small(problem, budget) {
@@ -89,7 +89,7 @@ pub(super) fn or_exhausted<T>(
             .with_derived(budget.derived_left() / 2)
             .with_clauses(most.min(budget.clauses_left() / 2)),
     );
-    let patient = Given {
+    let patient = SearchInput {
         budget: &part,
         ..given
     };
@@ -104,8 +104,8 @@ pub(super) fn or_exhausted<T>(
         let bounds = verdict.bounds.clone();
         budget.record(|_| SearchEvent::Exhausted { bounds });
         return Ok(all_shown(match incumbent.costs() {
-            Some(_) => Shown::Best(optima.reason.map(ForEver::from)),
-            None => Shown::NoPlan(optima.reason.map(ForEver::from)),
+            Some(_) => SearchEnd::Best(optima.reason.map(ForEver::from)),
+            None => SearchEnd::NoPlan(optima.reason.map(ForEver::from)),
         }));
     }
     let why = Restart::MoreTime;
@@ -115,12 +115,12 @@ pub(super) fn or_exhausted<T>(
 
 /// The stages, one for each cost of the objective.
 fn prove_by_sat(
-    given: Given,
+    given: SearchInput,
     walks: &[Walk],
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-) -> Result<Shown, Stop> {
-    let Given {
+) -> Result<SearchEnd, Stop> {
+    let SearchInput {
         problem,
         bounded,
         budget,
@@ -131,7 +131,7 @@ fn prove_by_sat(
         budget.record(|_| SearchEvent::Exhausted { bounds });
         let mut limited = bounded.clone();
         limited.limits.insert(cost, known.least);
-        let limited = Given {
+        let limited = SearchInput {
             bounded: &limited,
             ..given
         };
@@ -150,13 +150,13 @@ fn prove_by_sat(
 /// One stage after the other; `None` where there is no plan. The optimum of the
 /// first cost may be `known`, and a limit.
 fn stages(
-    given: Given,
+    given: SearchInput,
     walks: &[Walk],
-    mut known: Option<Known>,
+    mut known: Option<LeastForEver>,
     incumbent: &mut Incumbent,
     verdict: &mut Verdict,
-) -> Result<Option<Shown>, Stop> {
-    let Given {
+) -> Result<Option<SearchEnd>, Stop> {
+    let SearchInput {
         problem, bounded, ..
     } = given;
     let objective = incumbent.objective().clone();
@@ -198,5 +198,5 @@ fn stages(
             break;
         }
     }
-    Ok(Some(Shown::Best(for_ever.reason())))
+    Ok(Some(SearchEnd::Best(for_ever.reason())))
 }

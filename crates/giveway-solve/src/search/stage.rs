@@ -18,7 +18,7 @@ use giveway_model::{Cost, sorting};
 use super::{
     aim::Bounded,
     bound::{Bound, Optimum},
-    claim::Claim,
+    claim::SearchClaim,
     deadlines::{Deadlines, Keeping},
     horizon::Horizon,
     incumbent::Incumbent,
@@ -61,7 +61,7 @@ pub(crate) struct Search<'p, 'h, 'b> {
     /// The latest arrivals that are still of interest.
     pub(super) deadlines: Deadlines,
     /// What is proved, and what is under way.
-    pub(super) claim: Claim,
+    pub(super) claim: SearchClaim,
     /// The sums of costs that are limited: of what agents have beyond their minima, and
     /// of agents that enter later all of it.
     sums: Vec<(Cost, SumLimit)>,
@@ -87,7 +87,7 @@ impl<'p, 'h, 'b> Search<'p, 'h, 'b> {
             incumbent,
             budget,
             deadlines: Deadlines::new(problem, bounded.horizon, makespan, keeping),
-            claim: Claim::default(),
+            claim: SearchClaim::default(),
             sums: Vec::new(),
             polishing: Polishing::new(),
         }

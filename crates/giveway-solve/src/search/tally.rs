@@ -10,7 +10,7 @@ use crate::{
     budget::{Budget, Stop},
     encode::{
         agent::{MddEncoding, TakenStep},
-        count::Count,
+        count::EventCounter,
     },
     problem::Problem,
     sat::{Clauses, Lit},
@@ -18,9 +18,9 @@ use crate::{
 };
 
 /// The counter of one agent and cost.
-pub(crate) struct Tally {
+pub(crate) struct CostCounter {
     cost: Cost,
-    count: Count,
+    count: EventCounter,
     /// What is there without any counted event.
     base: u32,
     /// The moves still to make, batteries aside.
@@ -30,7 +30,7 @@ pub(crate) struct Tally {
     goes_on: Option<Lit>,
 }
 
-impl Tally {
+impl CostCounter {
     pub(crate) fn new(
         problem: &Problem,
         agent: usize,
@@ -47,7 +47,7 @@ impl Tally {
         }
         Ok(Self {
             cost,
-            count: Count::default(),
+            count: EventCounter::default(),
             base,
             potential,
             goes_on: None,
@@ -95,14 +95,14 @@ impl Tally {
 
     /// The number of events that come before the first step.
     fn before(&mut self, task: &Task, out: &mut impl Clauses) -> u32 {
-        if self.cost != Cost::Waits || task.stood == 0 {
+        if self.cost != Cost::Waits || task.waits_if_it_leaves_goal == 0 {
             return 0;
         }
         let goes_on = *self.goes_on.get_or_insert_with(|| out.fresh());
-        while self.count.times() < task.stood as usize {
+        while self.count.times() < task.waits_if_it_leaves_goal as usize {
             self.count.append(goes_on);
         }
-        task.stood
+        task.waits_if_it_leaves_goal
     }
 
     /// How many events a step counts: 0, 1 or 2.

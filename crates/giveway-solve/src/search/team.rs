@@ -15,7 +15,7 @@ use giveway_model::sorting::map;
 
 use super::{
     minima::{LoneBound, Minima},
-    tally::Tally,
+    tally::CostCounter,
 };
 use crate::{
     budget::{Budget, Stop},
@@ -23,7 +23,7 @@ use crate::{
         agent::{Added, MddEncoding},
         collisions::{AgentId, Collisions, Meeting},
     },
-    local::{Others, Query, Reservations, plan_one},
+    local::{OtherAgents, Query, Reservations, plan_one},
     problem::Problem,
     sat::{Clauses, Core, Lit, Outcome, Sat},
     terrain::Vertex,
@@ -48,7 +48,7 @@ pub(crate) struct Team<'p, 'h> {
     on_goals: BTreeMap<Vertex, Vec<(u32, AgentId, Lit)>>,
     /// "Not been there yet", by time, where a question asks who is first.
     not_yet: BTreeMap<(usize, u32), Lit>,
-    tallies: BTreeMap<(AgentId, Cost), Tally>,
+    tallies: BTreeMap<(AgentId, Cost), CostCounter>,
     minima: Minima,
 }
 
@@ -195,7 +195,7 @@ impl<'p, 'h> Team<'p, 'h> {
             return Ok(None);
         };
         if !self.tallies.contains_key(&(agent, cost)) {
-            let mut tally = Tally::new(self.problem, agent, cost, &self.budget)?;
+            let mut tally = CostCounter::new(self.problem, agent, cost, &self.budget)?;
             let steps = code.taken_steps();
             let task = &self.problem.tasks[agent];
             tally.grow(self.problem, task, code, &steps, &mut self.sat);

@@ -14,11 +14,11 @@ pub(super) struct Meetings {
 }
 
 /// An agent, by its name, and all its ways.
-pub(super) type Named<'a> = (&'a str, &'a Ways);
+pub(super) type NamedWays<'a> = (&'a str, &'a Ways);
 
 impl Meetings {
     /// The first meeting of each pair that has one.
-    pub(super) fn of(agents: &[Named], terrain: &Terrain) -> Self {
+    pub(super) fn of(agents: &[NamedWays], terrain: &Terrain) -> Self {
         let mut found = Self::default();
         for (i, &first) in agents.iter().enumerate() {
             for &second in &agents[i + 1..] {
@@ -47,7 +47,7 @@ impl Meetings {
 
 /// Two agents.
 struct Pair<'a> {
-    agents: [Named<'a>; 2],
+    agents: [NamedWays<'a>; 2],
     terrain: &'a Terrain,
 }
 
@@ -114,7 +114,7 @@ impl Pair<'_> {
     }
 
     /// The arc that an agent goes along in the step from a time.
-    fn crossing(&self, (_, ways): Named, time: u32) -> Option<Crossing> {
+    fn crossing(&self, (_, ways): NamedWays, time: u32) -> Option<Crossing> {
         let slow = |arc, from| Crossing {
             arc,
             from,
@@ -135,7 +135,7 @@ impl Pair<'_> {
     }
 }
 
-fn meeting(agents: [Named; 2], time: u32, kind: MeetingKind) -> MustMeet {
+fn meeting(agents: [NamedWays; 2], time: u32, kind: MeetingKind) -> MustMeet {
     MustMeet {
         agents: agents.map(|(name, _)| name.to_owned()),
         time,
@@ -143,7 +143,7 @@ fn meeting(agents: [Named; 2], time: u32, kind: MeetingKind) -> MustMeet {
     }
 }
 
-fn pass((agent, ways): Named, cell: Cell, time: u32) -> MustPass {
+fn pass((agent, ways): NamedWays, cell: Cell, time: u32) -> MustPass {
     MustPass {
         agent: agent.to_owned(),
         cell,

@@ -14,7 +14,7 @@ use crate::{
     Host, Limits, Refusal,
     budget::{Budget, Stop},
     problem::Problem,
-    solve::{self, Task},
+    solve::{self, SolveTask},
 };
 
 /// More agents are not searched for by themselves: nobody could follow the proof.
@@ -134,7 +134,7 @@ fn alone(
     let can_keep = can_keep(request, &instance, &objective, &part);
     budget.absorb(&part);
     let scene = instance.to_scene();
-    let task = Task {
+    let task = SolveTask {
         instance,
         objective,
         within: request.within,

@@ -70,7 +70,7 @@ pub(crate) struct Recorder {
     first: RefCell<Vec<TraceEvent>>,
     /// The last events, and up to as many before them.
     last: RefCell<Vec<TraceEvent>>,
-    untold: RefCell<Vec<TraceEvent>>,
+    unsent: RefCell<Vec<TraceEvent>>,
     told_at: Cell<f64>,
 }
 
@@ -85,7 +85,7 @@ impl Recorder {
             alone: RefCell::new(BTreeSet::new()),
             first: RefCell::new(Vec::new()),
             last: RefCell::new(Vec::new()),
-            untold: RefCell::new(Vec::new()),
+            unsent: RefCell::new(Vec::new()),
             told_at: Cell::new(f64::NEG_INFINITY),
         }
     }
@@ -126,7 +126,7 @@ impl Recorder {
             text: words::sentence(&self.objective, &event),
             event,
         };
-        self.untold.borrow_mut().push(event.clone());
+        self.unsent.borrow_mut().push(event.clone());
         let (most_first, most_last) = self.kept;
         let mut first = self.first.borrow_mut();
         if first.len() < most_first {
@@ -144,12 +144,12 @@ impl Recorder {
 
     /// Whether the host is to be told of what it does not know yet.
     pub(crate) fn is_due(&self, now: impl FnOnce() -> f64) -> bool {
-        let untold = self.untold.borrow().len();
-        if untold == 0 {
+        let unsent = self.unsent.borrow().len();
+        if unsent == 0 {
             return false;
         }
         let now = now();
-        let due = untold >= MOST_UNTOLD || now - self.told_at.get() >= SECONDS;
+        let due = unsent >= MOST_UNTOLD || now - self.told_at.get() >= SECONDS;
         if due {
             self.told_at.set(now);
         }
@@ -158,7 +158,7 @@ impl Recorder {
 
     /// What the host does not know yet.
     pub(crate) fn take_untold(&self) -> Vec<TraceEvent> {
-        mem::take(&mut *self.untold.borrow_mut())
+        mem::take(&mut *self.unsent.borrow_mut())
     }
 
     /// The events so far.

@@ -3,11 +3,11 @@
 use super::{problem, told::told};
 use crate::{
     budget::Unlimited,
-    cbs::{Aim, Ended, search},
+    cbs::{CbsCost, Ended, search},
 };
 
 /// The tree, and the arrivals of the best plan.
-fn tree(picture: &str, aim: Aim) -> (Vec<String>, Vec<usize>) {
+fn tree(picture: &str, aim: CbsCost) -> (Vec<String>, Vec<usize>) {
     let problem = problem(picture);
     let outcome = search(&problem, aim, 30, true, &Unlimited::default());
     let Ended::Best { walks, .. } = outcome.ended else {
@@ -25,7 +25,7 @@ fn two_that_cross() {
         # b #
         a . A
         # B #";
-    let (tree, arrivals) = tree(picture, Aim::SumOfCosts);
+    let (tree, arrivals) = tree(picture, CbsCost::SumOfCosts);
     let expected = [
         "0: root: cost 4, 1 conflicts; turn 0: Cardinal a and b at (1, 1) at 1, bypassed 0",
         "1 < 0: a not at (1, 1) at 1: cost 5, 0 conflicts; open",
@@ -44,7 +44,7 @@ fn two_that_swap_beside_a_bay() {
     let picture = "
         #  . # #
         aB . . bA";
-    let (tree, arrivals) = tree(picture, Aim::SumOfCosts);
+    let (tree, arrivals) = tree(picture, CbsCost::SumOfCosts);
     let expected = [
         "0: root: cost 6, 1 conflicts; \
          turn 0: Cardinal a and b swap (1, 1)-(2, 1) from 1, bypassed 0",
@@ -69,7 +69,7 @@ fn one_that_rests_in_the_way() {
         b . A . B
         . # a # .
         . . . . .";
-    let (tree, arrivals) = tree(picture, Aim::SumOfCosts);
+    let (tree, arrivals) = tree(picture, CbsCost::SumOfCosts);
     let expected = [
         "0: root: cost 5, 1 conflicts; \
          turn 0: Cardinal b comes to resting a at (2, 0) at 2, bypassed 0",
@@ -87,7 +87,7 @@ fn nobody_rests_in_the_way_where_all_vanish() {
         . # a # .
         . . . . .
         vanish";
-    let (tree, arrivals) = tree(picture, Aim::SumOfCosts);
+    let (tree, arrivals) = tree(picture, CbsCost::SumOfCosts);
     let expected = ["0: root: cost 5, 0 conflicts; best in turn 0, bypassed 0"];
     assert_eq!(tree, expected);
     assert_eq!(arrivals, [1, 4]);
@@ -100,7 +100,7 @@ fn in_a_slow_zone_they_meet_in_each_step_in_which_both_are_along() {
     let picture = "
         #  . # #
         aB ~ ~ bA";
-    let (tree, arrivals) = tree(picture, Aim::SumOfCosts);
+    let (tree, arrivals) = tree(picture, CbsCost::SumOfCosts);
     let root = "0: root: cost 8, 2 conflicts; \
                 turn 0: Cardinal a and b swap (1, 1)-(2, 1) from 1, bypassed 0";
     assert_eq!(tree[0], root);

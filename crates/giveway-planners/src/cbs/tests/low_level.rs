@@ -10,7 +10,7 @@ use crate::{
         mdd::Mdd,
         rulebook::Rulebook,
     },
-    local::{Others, Reservations},
+    local::{OtherAgents, Reservations},
     problem::Problem,
     single::Place,
     terrain::Vertex,

@@ -1,7 +1,7 @@
 //! A constraint tree as lines that can be written by hand.
 
 use crate::{
-    cbs::{Conflict, Constraint, Fate, Kind, Rule, Tree},
+    cbs::{Conflict, ConflictKind, Constraint, Fate, Rule, Tree},
     problem::Problem,
     terrain::Vertex,
 };
@@ -55,9 +55,11 @@ fn asks(problem: &Problem, Constraint { agent, rule }: Constraint) -> String {
 fn meets(problem: &Problem, conflict: &Conflict) -> String {
     let (a, b) = (name(conflict.first), name(conflict.second));
     match conflict.kind {
-        Kind::Vertex { v, time } => format!("{a} and {b} at {} at {time}", at(problem, v)),
-        Kind::Swap { arc, time } => format!("{a} and {b} swap {} from {time}", along(problem, arc)),
-        Kind::Target { v, time } => {
+        ConflictKind::Vertex { v, time } => format!("{a} and {b} at {} at {time}", at(problem, v)),
+        ConflictKind::Swap { arc, time } => {
+            format!("{a} and {b} swap {} from {time}", along(problem, arc))
+        }
+        ConflictKind::Target { v, time } => {
             format!("{b} comes to resting {a} at {} at {time}", at(problem, v))
         }
     }

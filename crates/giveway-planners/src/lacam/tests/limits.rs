@@ -165,7 +165,7 @@ fn what_it_cannot_do_is_refused_by_name() {
     let condition = |problem: &mut Problem| problem.tasks[1].conditions.limit(Cost::Makespan, 9);
     let bounds =
         |problem: &mut Problem| problem.tasks[1].bounds = Bounds::Within([true; 6].to_vec().into());
-    let held = |problem: &mut Problem| problem.tasks[1].held = 1;
+    let held = |problem: &mut Problem| problem.tasks[1].earliest_move = 1;
     let relaxed = |problem: &mut Problem| {
         problem.relaxed = Relaxed {
             ignored: [(0, 1)].into(),

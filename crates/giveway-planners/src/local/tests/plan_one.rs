@@ -7,7 +7,7 @@ use giveway_model::Cell;
 use super::crowd::Crowd;
 use crate::{
     budget::Unlimited,
-    local::{Others, Query, Reservations, plan_one, space_time::DEAR},
+    local::{OtherAgents, Query, Reservations, plan_one, space_time::DEAR},
     problem::Problem,
     single::Place,
     tests::{Lone, Spot, State, instance},

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::crowd::Crowd;
 use crate::{
-    local::{Others, Reservations},
+    local::{OtherAgents, Reservations},
     walk::Walk,
 };
 

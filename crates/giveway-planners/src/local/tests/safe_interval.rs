@@ -3,7 +3,7 @@
 use super::crowd::Crowd;
 use crate::{
     budget::Unlimited,
-    local::{Others, Query, Reservations, Timetable, plan_one},
+    local::{OtherAgents, Query, Reservations, Timetable, plan_one},
     walk::arrival,
 };
 

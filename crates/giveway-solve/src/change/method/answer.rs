@@ -13,8 +13,8 @@ use crate::{
     budget::Stop,
     change::{
         Cause, Method, MethodAnswer,
-        compare::{Comparison, compare},
-        freed::{Case, Trouble},
+        compare::{AgentsCompared, compare},
+        freed::{MethodCase, Trouble},
     },
     judged::Judged,
     search::{Aim, Proved},
@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// The answer where there is nothing to search in.
-pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAnswer {
+pub(super) fn without_search(case: &MethodCase<'_, '_>, trouble: Trouble) -> MethodAnswer {
     let (status, reach, ended, reason, cause) = match trouble {
         Trouble::Alone(agent, fault, reason) => {
             // However it is bound, it cannot.
@@ -73,7 +73,7 @@ pub(super) fn without_search(case: &Case<'_, '_>, trouble: Trouble) -> MethodAns
 
 /// A verdict as an answer: the plan with the fewest agents disturbed, put behind
 /// the past and judged.
-pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
+pub(super) fn answer(case: &MethodCase<'_, '_>, found: &MethodFound) -> MethodAnswer {
     let names = |agents: &mut dyn Iterator<Item = usize>| -> Vec<String> {
         agents.map(|agent| case.name(agent).to_owned()).collect()
     };
@@ -111,7 +111,7 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
         _ => None,
     };
     let comparison = plan.as_ref().map(|(plan, _)| compare(case.snapshot, plan));
-    let Comparison {
+    let AgentsCompared {
         kept,
         retimed,
         rerouted,
@@ -146,7 +146,11 @@ pub(super) fn answer(case: &Case<'_, '_>, found: &MethodFound) -> MethodAnswer {
 
 /// The proved bounds as costs from time 0: what is past, and that times count
 /// from the change, is the same in every plan.
-fn bounds(case: &Case<'_, '_>, found: &MethodFound, costs: Option<&Costs>) -> BTreeMap<Cost, u32> {
+fn bounds(
+    case: &MethodCase<'_, '_>,
+    found: &MethodFound,
+    costs: Option<&Costs>,
+) -> BTreeMap<Cost, u32> {
     let at = case.snapshot.at;
     let own = found.verdict.best.as_ref().map(|(_, costs)| costs);
     let bounds = found.verdict.bounds.iter();

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cell;
 
-use crate::change::{Cause, CauseKind, freed::Case, keep::Fault};
+use crate::change::{Cause, CauseKind, freed::MethodCase, keep::MethodRefusal};
 
-pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause {
+pub(super) fn cause_of(case: &MethodCase<'_, '_>, agent: usize, fault: MethodRefusal) -> Cause {
     let name = case.name(agent);
     Cause {
         agent: name.to_owned(),
@@ -23,7 +23,7 @@ pub(super) fn cause_of(case: &Case<'_, '_>, agent: usize, fault: Fault) -> Cause
 /// Agents that block each other, and where the first of them first meets
 /// another of them if nobody waits.
 pub(super) fn blocked(
-    case: &Case<'_, '_>,
+    case: &MethodCase<'_, '_>,
     agents: &[usize],
     freed: &BTreeSet<usize>,
     within: Option<u32>,

@@ -6,24 +6,24 @@ use giveway_model::{Costs, Plan, check::check_history, sorting};
 
 use super::MethodFound;
 use crate::{
-    change::{Method, compare::compare, freed::Case},
+    change::{Method, compare::compare, freed::MethodCase},
     problem::Problem,
-    search::{Before, Bounded, Extent, closest},
+    search::{Bounded, Extent, GivenWalk, closest},
     walk::{Walk, of_path, to_plan},
 };
 
 /// Of all plans as good as the best, one that disturbs few old agents: its
 /// walks, who does the same, and whether none disturbs fewer.
 pub(super) fn disturb_few(
-    case: &Case<'_, '_>,
+    case: &MethodCase<'_, '_>,
     found: &MethodFound,
     costs: Costs,
 ) -> Option<(Vec<Walk>, Vec<bool>, bool)> {
     let problem = &found.problem;
     let agents = case.snapshot.agents.iter().zip(&problem.tasks);
     // (A path that can no longer be followed is as far away as none.)
-    let before: Vec<Before> = agents
-        .map(|(running, task)| Before {
+    let before: Vec<GivenWalk> = agents
+        .map(|(running, task)| GivenWalk {
             walk: of_path(task, &problem.terrain, &running.path).unwrap_or_default(),
             charges: running.charges.clone(),
         })
@@ -43,7 +43,7 @@ pub(super) fn disturb_few(
 /// The plan behind the past with its costs, where the judge passes it and every
 /// agent that is held to the method keeps to it.
 pub(super) fn judged(
-    case: &Case<'_, '_>,
+    case: &MethodCase<'_, '_>,
     problem: &Problem,
     freed: &BTreeSet<usize>,
     walks: &[Walk],

@@ -2,14 +2,14 @@
 
 use super::{as_unary, can, each_list, solver};
 use crate::{
-    encode::count::Count,
+    encode::count::EventCounter,
     sat::{Lit, Sat},
 };
 
 /// A counter under test.
 struct Trial {
     sat: Sat<'static>,
-    count: Count,
+    count: EventCounter,
     /// The literals of each time: "at least one", and maybe "at least two".
     events: Vec<Vec<Lit>>,
     /// What was asked for: j and the literal "more than j".
@@ -46,7 +46,7 @@ impl Trial {
 fn check(line: &str) {
     let mut trial = Trial {
         sat: solver(),
-        count: Count::default(),
+        count: EventCounter::default(),
         events: Vec::new(),
         asked: Vec::new(),
     };
@@ -105,7 +105,7 @@ fn weights_may_differ_from_time_to_time() {
 #[test]
 fn asking_again_gives_the_same_literal() {
     let mut sat = solver();
-    let mut count = Count::default();
+    let mut count = EventCounter::default();
     let first = count.more_than(2, &mut sat);
     count.event(4, &mut sat);
     assert_eq!(count.times(), 5);
@@ -116,7 +116,7 @@ fn asking_again_gives_the_same_literal() {
 #[test]
 fn columns_have_no_holes() {
     let mut sat = solver();
-    let mut count = Count::default();
+    let mut count = EventCounter::default();
     let columns: Vec<Lit> = (0..4).map(|j| count.more_than(j, &mut sat)).collect();
     for pair in columns.windows(2) {
         assert!(!can(&mut sat, &[!pair[0], pair[1]]));
@@ -126,7 +126,7 @@ fn columns_have_no_holes() {
 #[test]
 fn two_at_once_are_also_one() {
     let mut sat = solver();
-    let [one, two] = Count::default().event(0, &mut sat);
+    let [one, two] = EventCounter::default().event(0, &mut sat);
     assert!(!can(&mut sat, &[!one, two]));
     assert!(can(&mut sat, &[one, !two]));
 }

@@ -96,17 +96,17 @@ fn relaxed_optima_are_those_of_the_joint_states() {
         let all = [0, 1, 2];
         let least = problem.map(|p| joint::least(&p, &all, Cost::Moves, &budget()).unwrap());
         let found = match least {
-            None | Some(joint::Exhausted::None(_)) => {
+            None | Some(joint::Exhaustion::None(_)) => {
                 assert_eq!(any.status, Status::Impossible, "{seed}");
                 (found.status, found.reach.is_some_and(Proved::is_complete))
             }
-            Some(joint::Exhausted::Best(least, _)) => {
+            Some(joint::Exhaustion::Best(least, _)) => {
                 assert_eq!(any.status, Status::Feasible, "{seed}");
                 assert!(any.plan.is_some(), "{seed}");
                 assert_eq!(found.costs.map(|c| c.moves), Some(least), "{seed}");
                 (found.status, true)
             }
-            Some(joint::Exhausted::TooMany) => continue,
+            Some(joint::Exhaustion::TooMany) => continue,
         };
         *seen.entry(format!("{found:?}")).or_insert(0) += 1;
     }

@@ -16,12 +16,12 @@ use crate::{
     explain::{
         ExplainAnswer, ExplainRequest, FactKind, Verdict,
         ask::{Ask, best},
-        contrasted::Contrasted,
+        contrasted::ContrastSearch,
         edits::edited,
         group::{groups, without},
         group_mus::{Inquiry, Tried, group_mus},
-        verdict::{Case, compare},
-        whole::Whole,
+        verdict::{FittingQuestion, compare},
+        whole::WholePlan,
     },
     problem::Relaxed,
     serve,
@@ -161,15 +161,15 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
         let all = questions(&instance, &plan);
         // A few of them, other kinds with every seed.
         for question in all.iter().skip(seed as usize % 5).step_by(5) {
-            let whole = Whole::default();
-            let case = Case::new(&instance, question, &plan, costs, None, whole);
+            let whole = WholePlan::default();
+            let case = FittingQuestion::new(&instance, question, &plan, costs, None, whole);
             let compared = compare(&case, &budget());
             let verdict = compared.verdict;
             if !matches!(verdict, Verdict::Necessary | Verdict::Costly) {
                 continue;
             }
             let most = (verdict == Verdict::Costly).then(|| costs.vector(case.objective()));
-            let searching = || Contrasted {
+            let searching = || ContrastSearch {
                 case: &case,
                 most: most.clone(),
                 near: compared.other.as_ref().map(|(plan, _)| plan),

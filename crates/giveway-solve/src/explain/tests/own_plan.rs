@@ -10,15 +10,15 @@ use crate::{
     budget::Budget,
     explain::{
         answer::Excess,
-        own_plan::{Judged, judge},
-        whole::Whole,
+        own_plan::{OwnPlanReport, judge},
+        whole::WholePlan,
         words::own_plan,
     },
 };
 
-fn judged(instance: &Instance, plan: &Plan) -> (Judged, String) {
+fn judged(instance: &Instance, plan: &Plan) -> (OwnPlanReport, String) {
     let budget = Rc::new(Budget::new(&SilentHost, Limits::default()));
-    let whole = Whole::default();
+    let whole = WholePlan::default();
     let judged = judge(instance, plan, instance.objective(), None, whole, &budget);
     let costs = judged.costs.unwrap_or_default();
     let better = judged.better.as_ref().map(|(_, costs)| costs);

@@ -6,7 +6,7 @@ use crate::{
     explain::{
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
-        repairs::{Best, Broken, Solver, repairs},
+        repairs::{EditedPlan, Solver, Unsolved, repairs},
     },
     tests::instance,
 };
@@ -32,8 +32,8 @@ impl Inquiry for Finds {
 }
 
 impl Solver for Finds {
-    fn best(&mut self, _: &Variant) -> Option<Best> {
-        Some(Best {
+    fn best(&mut self, _: &Variant) -> Option<EditedPlan> {
+        Some(EditedPlan {
             plan: Plan::default(),
             costs: giveway_model::Costs::default(),
             proved: self.proves,
@@ -45,7 +45,7 @@ impl Solver for Finds {
 fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
     let instance = instance("a # A");
     for proves in [true, false] {
-        let broken = Broken {
+        let broken = Unsolved {
             instance: &instance,
             within: None,
             objective: instance.objective(),

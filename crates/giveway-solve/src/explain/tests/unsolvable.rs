@@ -18,7 +18,7 @@ use crate::{
         edits::edited,
         group::{groups, without},
         unsolvable::{AnyPlan, core, of_class},
-        whole::Whole,
+        whole::WholePlan,
     },
     problem::Relaxed,
     serve,
@@ -182,7 +182,7 @@ fn of_a_minimal_set_no_fact_can_be_left_out() {
             objective: instance.objective(),
             horizon: found.horizon,
             budget: budget(),
-            whole: Whole::default(),
+            whole: WholePlan::default(),
         };
         let core = core(&instance, None, &found, &mut any_plan).unwrap();
         assert!(core.minimal, "{seed}");

@@ -3,7 +3,7 @@
 use giveway_model::{Plan, Question, check::Rule, question::from_words};
 
 use super::{read, scenario_1};
-use crate::explain::{waits::witness, whole::Whole};
+use crate::explain::{waits::witness, whole::WholePlan};
 
 fn asked(words: &str) -> Question {
     let words: Vec<&str> = words.split_whitespace().collect();
@@ -17,7 +17,7 @@ fn in_scenario_1_they_would_meet() {
         &instance,
         &asked("wait A2 --at 3,1"),
         &plan,
-        Whole::default(),
+        WholePlan::default(),
     );
     let found: Vec<_> = found.iter().map(|v| (v.rule, v.time)).collect();
     assert_eq!(found, [(Rule::Vertex, 1), (Rule::Vertex, 2)]);
@@ -25,7 +25,7 @@ fn in_scenario_1_they_would_meet() {
         &instance,
         &asked("wait A2 --at 2,1"),
         &plan,
-        Whole::default(),
+        WholePlan::default(),
     );
     assert!(elsewhere.is_empty(), "no wait step is taken out");
 }
@@ -52,7 +52,7 @@ fn a_charge_of_a_wait_is_made_by_the_step_after_it() {
     );
     assert!(giveway_model::check::check(&instance, &plan).is_valid());
     // All waits gone, a charge is left at time 0: nothing is broken.
-    assert!(witness(&instance, &asked("wait a"), &plan, Whole::default()).is_empty());
+    assert!(witness(&instance, &asked("wait a"), &plan, WholePlan::default()).is_empty());
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn of_a_long_wait_only_what_is_too_long_is_taken_out() {
     let short = |words: &str| {
         let (_, other) = waiting("[0, 0], [0, 0], [1, 0], [2, 0], [3, 0], [4, 0]", "0, 1");
         (
-            witness(&instance, &asked(words), &plan, Whole::default()),
+            witness(&instance, &asked(words), &plan, WholePlan::default()),
             other,
         )
     };

@@ -8,8 +8,8 @@ use crate::explain::{
     Core, Edit, Repair, Verdict, WitnessEntry,
     group::groups,
     waits,
-    whole::Whole,
-    words::{Telling, verdict},
+    whole::WholePlan,
+    words::{KnownSoFar, verdict},
 };
 
 fn asked(words: &str) -> Question {
@@ -25,8 +25,8 @@ fn plain(
     found: Verdict,
     alternative: Option<&Plan>,
 ) -> String {
-    verdict(&Telling {
-        whole: Whole::default(),
+    verdict(&KnownSoFar {
+        whole: WholePlan::default(),
         instance,
         question: &asked(words),
         objective: instance.objective(),
@@ -44,15 +44,16 @@ fn plain(
 fn scenario_1_is_told_as_a_person_would() {
     let (instance, plan, other) = scenario_1();
     let question = asked("wait A2 --at 3,1");
-    let entries: Vec<WitnessEntry> = waits::witness(&instance, &question, &plan, Whole::default())
-        .into_iter()
-        .map(|violation| WitnessEntry {
-            violation,
-            class: None,
-        })
-        .collect();
-    let words = verdict(&Telling {
-        whole: Whole::default(),
+    let entries: Vec<WitnessEntry> =
+        waits::witness(&instance, &question, &plan, WholePlan::default())
+            .into_iter()
+            .map(|violation| WitnessEntry {
+                violation,
+                class: None,
+            })
+            .collect();
+    let words = verdict(&KnownSoFar {
+        whole: WholePlan::default(),
         instance: &instance,
         question: &question,
         objective: instance.objective(),
@@ -206,8 +207,8 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         plan: plan.clone(),
         text: "Remove the obstacle at (2, 0): makespan 3, sum of costs 6.".to_owned(),
     };
-    let words = verdict(&Telling {
-        whole: Whole::default(),
+    let words = verdict(&KnownSoFar {
+        whole: WholePlan::default(),
         instance: &instance,
         question: &asked("makespan"),
         objective: instance.objective(),

@@ -2,12 +2,12 @@
 
 use giveway_model::{Cost, check::cost_of, condition::Clause};
 
-use super::verdict::Telling;
+use super::verdict::KnownSoFar;
 
 /// The contrast of a question about a plan, in times and costs of the whole; `None`
 /// where it has none.
-pub(crate) fn contrast(telling: &Telling) -> Option<Clause> {
-    let Telling {
+pub(crate) fn contrast(telling: &KnownSoFar) -> Option<Clause> {
+    let KnownSoFar {
         question,
         instance,
         plan,

@@ -21,4 +21,4 @@ pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;
 pub(crate) use unsolvable::unsolvable;
-pub(crate) use verdict::{Telling, verdict};
+pub(crate) use verdict::{KnownSoFar, verdict};

@@ -4,7 +4,7 @@ use giveway_model::words::and;
 use giveway_model::{Cost, Costs, Objective, tr};
 
 use super::costs::instead;
-use crate::explain::{answer::Excess, own_plan::Judged};
+use crate::explain::{answer::Excess, own_plan::OwnPlanReport};
 
 /// The most violations and agents that are told one by one.
 const MOST: usize = 3;
@@ -14,7 +14,7 @@ const MOST: usize = 3;
 /// The costs of the plan and of the better one are those of the whole; `within` is the
 /// makespan up to which no plan is better, `None` for any.
 pub(crate) fn own_plan(
-    judged: &Judged,
+    judged: &OwnPlanReport,
     objective: &Objective,
     costs: &Costs,
     least: Option<&Costs>,
@@ -40,7 +40,7 @@ pub(crate) fn own_plan(
     }
 }
 
-fn broken(judged: &Judged) -> Option<String> {
+fn broken(judged: &OwnPlanReport) -> Option<String> {
     let first = judged.violations.first()?;
     let rest = judged.violations.len() - 1;
     let more = match rest {
@@ -54,7 +54,7 @@ fn broken(judged: &Judged) -> Option<String> {
     ))
 }
 
-fn better(judged: &Judged, objective: &Objective, least: &Costs, costs: &Costs) -> String {
+fn better(judged: &OwnPlanReport, objective: &Objective, least: &Costs, costs: &Costs) -> String {
     let instead = instead(objective, least, costs);
     let mut text = tr!(
         "The plan keeps all rules, but there is a better one: {instead}.",

@@ -10,10 +10,10 @@ use super::{
     repairs::{led_to, phrase},
     violations::would,
 };
-use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, whole::Whole};
+use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, whole::WholePlan};
 
 /// All that is known, as far as it is known.
-pub(crate) struct Telling<'a> {
+pub(crate) struct KnownSoFar<'a> {
     pub(crate) instance: &'a Instance,
     pub(crate) question: &'a Question,
     pub(crate) objective: &'a Objective,
@@ -21,7 +21,7 @@ pub(crate) struct Telling<'a> {
     pub(crate) plan: &'a Plan,
     /// The plan of which the instance is the rest; all times and costs are told as those
     /// of the whole.
-    pub(crate) whole: Whole<'a>,
+    pub(crate) whole: WholePlan<'a>,
     pub(crate) verdict: Verdict,
     /// The other plan.
     pub(crate) alternative: Option<&'a Plan>,
@@ -34,7 +34,7 @@ pub(crate) struct Telling<'a> {
 }
 
 /// The answer in words.
-pub(crate) fn verdict(telling: &Telling) -> String {
+pub(crate) fn verdict(telling: &KnownSoFar) -> String {
     let Some(contrast) = contrast(telling) else {
         return String::new();
     };
@@ -100,7 +100,7 @@ fn in_which(does: &str) -> String {
     tr!("a plan" => " in which {does}", does)
 }
 
-fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
+fn needless(telling: &KnownSoFar, goes_wrong: bool, does: &str) -> String {
     let instead = telling
         .alternative
         .and_then(|other| instead(telling.question, telling.instance, telling.plan, other));
@@ -128,7 +128,7 @@ fn needless(telling: &Telling, goes_wrong: bool, does: &str) -> String {
     }
 }
 
-fn costly(telling: &Telling, does: &str, now: &Costs, before: &Costs) -> String {
+fn costly(telling: &KnownSoFar, does: &str, now: &Costs, before: &Costs) -> String {
     let instead = in_costs(telling.objective, now, before);
     match telling.within {
         None => tr!(

@@ -79,7 +79,7 @@ impl PlanCount {
 /// What is known of a number.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-enum Counted {
+enum NumberKind {
     Exactly,
     MoreThan,
     AtLeast,
@@ -90,7 +90,7 @@ enum Counted {
 struct WrittenCount {
     count: u32,
     complete: bool,
-    known: Counted,
+    known: NumberKind,
 }
 
 impl From<PlanCount> for WrittenCount {
@@ -99,9 +99,9 @@ impl From<PlanCount> for WrittenCount {
             count: number.number(),
             complete: number.is_exact(),
             known: match number {
-                PlanCount::Exactly(_) => Counted::Exactly,
-                PlanCount::MoreThan(_) => Counted::MoreThan,
-                PlanCount::AtLeast(_) => Counted::AtLeast,
+                PlanCount::Exactly(_) => NumberKind::Exactly,
+                PlanCount::MoreThan(_) => NumberKind::MoreThan,
+                PlanCount::AtLeast(_) => NumberKind::AtLeast,
             },
         }
     }
@@ -110,9 +110,9 @@ impl From<PlanCount> for WrittenCount {
 impl From<WrittenCount> for PlanCount {
     fn from(written: WrittenCount) -> Self {
         match written.known {
-            Counted::Exactly => Self::Exactly(written.count),
-            Counted::MoreThan => Self::MoreThan(written.count),
-            Counted::AtLeast => Self::AtLeast(written.count),
+            NumberKind::Exactly => Self::Exactly(written.count),
+            NumberKind::MoreThan => Self::MoreThan(written.count),
+            NumberKind::AtLeast => Self::AtLeast(written.count),
         }
     }
 }

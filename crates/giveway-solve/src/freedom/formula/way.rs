@@ -5,7 +5,7 @@ use giveway_model::{Instance, Plan, Version, sorting::sort};
 use crate::{
     problem::Problem,
     single::Place,
-    walk::{Walk, of_plan, to_plan},
+    walk::{Walk, to_plan, walks_of_plan},
 };
 
 /// Where an agent is at each time up to its arrival, and when it charges.
@@ -34,7 +34,7 @@ pub(in crate::freedom) fn ways_of(
     plan: &Plan,
 ) -> Option<Vec<Way>> {
     let names = names(instance);
-    let walks = of_plan(problem, &names, plan)?;
+    let walks = walks_of_plan(problem, &names, plan)?;
     let ways = walks.into_iter().zip(&names).map(|(places, name)| {
         let mut charges = plan.charges(name).to_vec();
         sort(&mut charges);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Before, Near, Trace, entries::is_same_entry};
+use super::{GivenWalk, Near, Trace, entries::is_same_entry};
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
@@ -14,7 +14,7 @@ use crate::{
 
 /// How far the clauses of an inside agent are written.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Written {
+pub(super) struct WrittenClauses {
     nodes: NodeId,
     rest: u32,
     charges: usize,
@@ -43,7 +43,7 @@ impl Near<'_, '_> {
             return clauses;
         };
         let written = &mut self.written[agent];
-        let Before { walk, charges } = &self.before[agent];
+        let GivenWalk { walk, charges } = &self.before[agent];
         let arrival = arrival(walk);
         let task = &self.problem.tasks[agent];
         if let Some(Trace { nodes, same }) = &self.traces[agent] {

@@ -2,7 +2,7 @@
 
 use giveway_model::Cost;
 
-use super::{AsBefore, Before, Near, Trace};
+use super::{AsBefore, GivenWalk, Near, Trace};
 use crate::{
     budget::Stop,
     encode::{agent::Added, collisions::AgentId},
@@ -58,7 +58,7 @@ impl Near<'_, '_> {
     fn masks(&self, agent: AgentId) -> Option<Vec<u32>> {
         let task = &self.problem.tasks[agent];
         let terrain = &self.problem.terrain;
-        let Before { walk, charges } = &self.before[agent];
+        let GivenWalk { walk, charges } = &self.before[agent];
         if walk.is_empty() {
             return None;
         }

@@ -1,6 +1,6 @@
 //! As few entries as can be differ, from above, until one fewer is refuted.
 
-use super::{Close, Near, NoneCloser};
+use super::{ClosestPlan, Near, NoneCloser};
 use crate::{
     budget::Stop,
     encode::totalizer::merge,
@@ -15,7 +15,10 @@ const MOST_ENTRIES: usize = 1500;
 
 impl Near<'_, '_> {
     /// As few entries as can be differ; the proof of it, where there is one.
-    pub(super) fn few_entries(&mut self, close: &mut Close) -> Result<Option<NoneCloser>, Stop> {
+    pub(super) fn few_entries(
+        &mut self,
+        close: &mut ClosestPlan,
+    ) -> Result<Option<NoneCloser>, Stop> {
         let insiders = self.search.team.insiders();
         let latest: Vec<u32> = insiders
             .iter()

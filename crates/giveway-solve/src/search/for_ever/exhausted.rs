@@ -9,13 +9,13 @@ use crate::{
     budget::{Budget, Stop},
     joint::{self, AllStates},
     problem::Problem,
-    search::{aim::Bounded, incumbent::Incumbent, minima::Minima, prove::Shown},
+    search::{aim::Bounded, incumbent::Incumbent, minima::Minima, prove::SearchEnd},
     trace::FoundBy,
 };
 
 /// The least value of a cost at any horizon.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::search) struct Known {
+pub(in crate::search) struct LeastForEver {
     pub(in crate::search) least: u32,
     pub(in crate::search) reason: ForEver<Least>,
 }
@@ -28,7 +28,7 @@ pub(in crate::search) fn known_for_ever(
     bounded: &Bounded,
     incumbent: &Incumbent,
     budget: &Budget,
-) -> Result<Option<(Cost, Known)>, Stop> {
+) -> Result<Option<(Cost, LeastForEver)>, Stop> {
     let cost = incumbent.objective().costs().first().copied();
     let (Some(cost), Some(costs)) = (cost, incumbent.costs()) else {
         return Ok(None);
@@ -43,9 +43,9 @@ pub(in crate::search) fn known_for_ever(
     }
     let all: Vec<usize> = (0..problem.agents()).collect();
     match joint::least(problem, &all, cost, budget)? {
-        joint::Exhausted::Best(least, shown) => {
+        joint::Exhaustion::Best(least, shown) => {
             let reason = shown.into();
-            Ok(Some((cost, Known { least, reason })))
+            Ok(Some((cost, LeastForEver { least, reason })))
         }
         _ => Ok(None),
     }
@@ -58,7 +58,7 @@ pub(in crate::search) fn exhausted(
     budget: &Budget,
 ) -> Result<Option<ForEver<NoPlan>>, Stop> {
     match joint::any(problem, agents, budget)? {
-        joint::Exhausted::None(shown) => Ok(Some(shown.into())),
+        joint::Exhaustion::None(shown) => Ok(Some(shown.into())),
         _ => Ok(None),
     }
 }
@@ -70,15 +70,15 @@ pub(in crate::search) fn soonest(
     bounded: &Bounded,
     incumbent: &mut Incumbent,
     budget: &Budget,
-) -> Result<Option<Shown>, Stop> {
+) -> Result<Option<SearchEnd>, Stop> {
     match joint::soonest(problem, budget)? {
-        joint::Exhausted::None(shown) => Ok(Some(Shown::NoPlan(Some(shown.into())))),
-        joint::Exhausted::Best(soonest, _) => {
+        joint::Exhaustion::None(shown) => Ok(Some(SearchEnd::NoPlan(Some(shown.into())))),
+        joint::Exhaustion::Best(soonest, _) => {
             incumbent.offer(problem, &soonest.walks, FoundBy::Exhaustion);
             let is_late = soonest.vector.first() > Some(&bounded.latest());
-            Ok(is_late.then_some(Shown::NoPlan(None)))
+            Ok(is_late.then_some(SearchEnd::NoPlan(None)))
         }
-        joint::Exhausted::TooMany => Ok(None),
+        joint::Exhaustion::TooMany => Ok(None),
     }
 }
 
@@ -92,7 +92,8 @@ pub(in crate::search) fn above_limits(
     for (&cost, &most) in &bounded.limits {
         let counted = !matches!(cost, Cost::Makespan | Cost::SumOfCosts);
         if counted
-            && let joint::Exhausted::Best(least, shown) = joint::least(problem, &all, cost, budget)?
+            && let joint::Exhaustion::Best(least, shown) =
+                joint::least(problem, &all, cost, budget)?
             && least > most
         {
             return Ok(Some(shown.into()));
@@ -129,10 +130,10 @@ pub(in crate::search) fn best(
     }
     for (limits, latest) in tried {
         let (vector, shown) = match joint::best(problem, &objective, (limits, latest), budget)? {
-            joint::Exhausted::TooMany => return Ok(None),
-            joint::Exhausted::None(_) if incumbent.costs().is_some() => return Ok(None),
-            joint::Exhausted::None(shown) => (None, shown),
-            joint::Exhausted::Best(best, shown) => {
+            joint::Exhaustion::TooMany => return Ok(None),
+            joint::Exhaustion::None(_) if incumbent.costs().is_some() => return Ok(None),
+            joint::Exhaustion::None(shown) => (None, shown),
+            joint::Exhaustion::Best(best, shown) => {
                 incumbent.offer(problem, &best.walks, FoundBy::Exhaustion);
                 (Some(best.vector), shown)
             }

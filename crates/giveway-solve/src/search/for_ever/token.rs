@@ -15,7 +15,7 @@ use super::super::{
     horizon::AllInTime,
     minima::{LimitTooLow, NeededAlone},
 };
-use crate::{freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::HopelessAlone};
+use crate::{freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::NeverAlone};
 
 /// A reason why a claim holds whatever the horizon: that there is [`NoPlan`], that costs are
 /// the [`Least`], or that a plan is the [`Closest`].
@@ -81,7 +81,7 @@ impl<C> From<AllStates> for ForEver<C> {
 
 proofs! {
     /// An agent cannot do its task, or meet a condition, even alone.
-    HopelessAlone => NoPlan,
+    NeverAlone => NoPlan,
     /// An agent needs a cell that is closed.
     CellNeeded => NoPlan,
     /// No plan meets a condition.

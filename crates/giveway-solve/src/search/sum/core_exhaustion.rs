@@ -21,7 +21,7 @@ impl SumStage<'_> {
     /// Goes on with the softs of a core, one level higher, and with the cores
     /// paid from number `first` on, which are among these softs; what is to be
     /// assumed in the end.
-    pub(super) fn exhaust(
+    pub(super) fn exhaust_core(
         &mut self,
         search: &mut Search,
         mut softs: Vec<Soft>,
@@ -58,7 +58,7 @@ impl SumStage<'_> {
                 .iter()
                 .filter_map(|lit| assumed.get(lit).copied())
                 .collect();
-            self.pay(search, (&core, &core), &limits, effort);
+            self.raise_lower_bound(search, (&core, &core), &limits, effort);
             let raised = assumed.into_iter().filter_map(|(lit, soft)| {
                 let by = u32::from(core.contains(&lit));
                 soft.raised(by)
@@ -106,7 +106,7 @@ impl SumStage<'_> {
             // Lower levels exclude each other all the more.
             for (level, core) in (learnt + 1..).zip(&levels) {
                 let limits = softs.iter().filter_map(|soft| soft.raised(level));
-                self.pay(
+                self.raise_lower_bound(
                     search,
                     (core, &shown),
                     &limits.collect::<Vec<Soft>>(),

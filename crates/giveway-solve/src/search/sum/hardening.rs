@@ -38,7 +38,7 @@ impl SumStage<'_> {
         }
         for soft in self.oll.assumed.values().chain(&self.oll.waiting) {
             match soft.raised(slack) {
-                // (A cost is no time: who was woken has cost some already.)
+                // (A cost is no time: who was cost_if_it_leaves_goal has cost some already.)
                 Some(Soft::Level(AtMost { agent, most, .. })) => {
                     search.lower_cap_by_best(agent, search.problem.time_of(agent, most));
                 }

@@ -24,7 +24,7 @@ use giveway_model::Cost;
 
 use super::{
     bound::Bound,
-    for_ever::Known,
+    for_ever::LeastForEver,
     growing::{CoreEffort, Growing, Until},
     oll::Oll,
     stage::{End, Search},
@@ -66,7 +66,7 @@ impl<'b> SumStage<'b> {
     pub(super) fn run(
         search: &mut Search,
         bound: &'b mut Bound,
-        known: Option<Known>,
+        known: Option<LeastForEver>,
         last: bool,
     ) -> Result<End, Stop> {
         if let Some(known) = known {
@@ -190,17 +190,17 @@ impl<'b> SumStage<'b> {
         }
         let softs = self.oll.take(core);
         let first = self.oll.uncounted.len();
-        self.pay(search, (core, core), &softs, effort);
+        self.raise_lower_bound(search, (core, core), &softs, effort);
         let further = self.stretch(search, &softs)?;
         let raised = softs.iter().filter_map(|soft| soft.raised(further + 1));
-        let softs = self.exhaust(search, raised.collect(), first)?;
+        let softs = self.exhaust_core(search, raised.collect(), first)?;
         self.oll.waiting.extend(softs);
         Ok(())
     }
 
     /// Raises the bound by a core, which says that these limits cannot all be kept: it
     /// was refuted, or another that it follows from.
-    fn pay(
+    fn raise_lower_bound(
         &mut self,
         search: &mut Search,
         (core, shown): (&[Lit], &Core),
@@ -211,7 +211,7 @@ impl<'b> SumStage<'b> {
         search.report_bound(*self.bound);
         self.tell_core(search, limits, effort);
         let violations = core.iter().map(|&lit| !lit).collect();
-        self.oll.pay(search, violations);
+        self.oll.record_core(search, violations);
     }
 
     /// Begins a new round: all that cores set free is bounded again.

@@ -13,7 +13,7 @@ use super::{SumStage, agent_of};
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
-    local::{Others, Query, Reservations, plan_one},
+    local::{OtherAgents, Query, Reservations, plan_one},
     search::{incumbent::free_of_collisions, stage::Search},
     trace::FoundBy,
 };
