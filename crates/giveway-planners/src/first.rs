@@ -23,7 +23,7 @@ const STATES_PER_AGENT: u64 = 30_000;
 /// Configurations that LaCAM makes, for each agent.
 const STEPS_PER_AGENT: u64 = 2_000;
 
-/// Who had a first plan.
+/// The planner of the first plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum First {
     /// Agents planned one after the other.

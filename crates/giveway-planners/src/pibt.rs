@@ -48,7 +48,7 @@ pub enum Outcome {
     Stopped(Stop),
 }
 
-/// What PIBT did.
+/// The result of PIBT.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
     /// How it ended.

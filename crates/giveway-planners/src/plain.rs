@@ -11,7 +11,7 @@ use crate::{
     walk::Walk,
 };
 
-/// What a planner for the plain problem cannot do.
+/// A part of an instance that a planner for the plain problem cannot handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unsupported {
     /// This agent has no goal.

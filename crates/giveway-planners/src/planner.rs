@@ -25,11 +25,11 @@ use giveway_model::Objective;
 use crate::{budget::Budget, prioritised::Order, problem::Problem, walk::Walk};
 use best::Best;
 
-/// What a planner is asked.
+/// The request to a planner.
 pub struct Asked<'p> {
     /// The instance.
     pub problem: &'p Problem,
-    /// What makes one plan better than another.
+    /// The objective by which plans are compared.
     pub objective: &'p Objective,
     /// The makespan that a person allows at most, where it is limited.
     pub within: Option<u32>,

@@ -39,7 +39,7 @@ pub struct Problem {
     pub stays: bool,
     /// Rules between agents that do not count.
     pub relaxed: Relaxed,
-    /// What each agent has to do.
+    /// The task of each agent.
     pub tasks: Vec<Task>,
     /// The time that each agent alone still needs, from anywhere.
     pub cost_to_go: Vec<CostToGo>,
@@ -242,7 +242,7 @@ impl Problem {
             let times = resting.chain(task.last_time()).chain([task.not_before]);
             timed = times.fold(timed, u32::max);
         }
-        // What conditions ask of times is not the same at each of them.
+        // The conditions differ at each of these times.
         states.checked_add(timed)?.checked_add(2)
     }
 

@@ -8,7 +8,7 @@ use crate::plain::{self, Cnf, NoFormula};
 use crate::report::Fault;
 use crate::{Budget, Checked, Claim};
 
-/// What is said of a proof.
+/// The record of a proof.
 pub(crate) struct Proof<'a> {
     pub(crate) claim: &'a Claim,
     /// The name of its files, without their endings.

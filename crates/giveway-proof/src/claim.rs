@@ -1,4 +1,4 @@
-//! What a certificate claims: that there is no plan of some kind.
+//! A claim of a certificate: there is no plan of some kind.
 
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ pub struct Claim {
     /// The horizon that the claim is limited to: the makespan up to which
     /// plans are meant. `null` where it holds for plans of any makespan.
     pub within: Option<u32>,
-    /// What such a plan would be like beside its costs.
+    /// The condition on such a plan beside its costs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub condition: Option<Condition>,
 }

@@ -1,6 +1,5 @@
-//! What plan and claims say together, and whether they can be said together at
-//! all. It follows from the instance, the plan and the claims alone: nothing that
-//! stands beside them in a certificate has a part in it.
+//! The joint conclusion of plan and claims, and whether they agree at all. It follows from the instance, the
+//! plan and the claims alone: nothing that stands beside them in a certificate has a part in it.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Condition, Cost, Costs, Instance, Objective, Plan, check, words::lower};
@@ -10,7 +9,7 @@ use crate::bundle::{Entry, MANIFEST, PLAN};
 use crate::report::Fault;
 use crate::{Claim, condition};
 
-/// What a certificate is about.
+/// The contents of a certificate.
 #[derive(Clone, Copy)]
 pub(crate) struct Whole<'a> {
     pub(crate) instance: &'a Instance,
@@ -18,7 +17,7 @@ pub(crate) struct Whole<'a> {
     pub(crate) entries: &'a [Entry],
 }
 
-/// What plan and claims say together.
+/// The joint conclusion of plan and claims.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Conclusion {
@@ -146,8 +145,7 @@ pub(crate) fn check_together(whole: &Whole<'_>) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What they say together; nothing where each claim stands for itself. Where
-/// nothing adds up, that is found before.
+/// The joint conclusion; none where each claim stands for itself. A contradiction is found before.
 pub(crate) fn conclude(
     objective: &Objective,
     costs: Option<Costs>,

@@ -33,8 +33,8 @@ pub use report::{Certified, Checked, Report};
 pub use show::Solved;
 pub use verify::verify;
 
-/// What a certificate may take. Where it is not enough, a claim stays without a
-/// proof and says so. And who is told how far the work is.
+/// The limits of a certificate, and its progress reports. Where a limit is reached, a claim stays without a
+/// proof and says so.
 #[derive(Clone, Copy)]
 pub struct Budget<'a> {
     /// The clauses of one formula.
@@ -50,7 +50,7 @@ pub struct Budget<'a> {
 }
 
 impl Default for Budget<'_> {
-    /// What a machine of today does in about a minute.
+    /// The work of about a minute on a machine of today.
     fn default() -> Self {
         Self {
             clauses: 4_000_000,

@@ -11,7 +11,7 @@ use varisat::{ExtendFormula as _, Lit, ProofFormat, Solver};
 
 use crate::{Budget, plain::Cnf};
 
-/// What became of a formula.
+/// The result for a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It is unsatisfiable: the proof, in the text form of DRAT.

@@ -1,4 +1,4 @@
-//! What came of a check.
+//! The report of a check.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Version;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Claim, bundle::Method, conclude::Conclusion};
 
-/// What came of checking a certificate.
+/// The report of checking a certificate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Report {
     /// The format's version.
@@ -16,10 +16,10 @@ pub struct Report {
     /// Whether every file is as it was written and every claim was shown again,
     /// but for those that are said to have nothing to be shown by.
     pub accepted: bool,
-    /// What its claims were shown by, taken together.
+    /// The weakest of the methods by which its claims were shown.
     pub certified: Certified,
-    /// What plan and claims say together: a sentence; `null` where it was not
-    /// accepted, or each claim stands for itself.
+    /// The joint conclusion of plan and claims: a sentence; `null` where the certificate was not accepted, or
+    /// each claim stands for itself.
     pub conclusion: Option<String>,
     /// The same for programs.
     pub concluded: Option<Conclusion>,
@@ -31,7 +31,7 @@ pub struct Report {
     pub claims: Vec<Checked>,
 }
 
-/// What all claims of a certificate were shown by.
+/// The methods by which all claims of a certificate were shown.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
@@ -90,7 +90,7 @@ pub enum Checked {
         text: String,
         /// The claim.
         claim: Claim,
-        /// What was searched.
+        /// The states that were searched.
         method: Method,
     },
     /// Nothing shows it.
@@ -159,8 +159,7 @@ impl Report {
         sentences.join(" ")
     }
 
-    /// What comes of checks that put on a list what they have checked, and tell
-    /// what it says together.
+    /// The report of checks, with their list and their joint conclusion.
     pub(crate) fn of(
         check: impl FnOnce(&mut Vec<Checked>) -> Result<Option<Conclusion>, Fault>,
     ) -> Self {

@@ -13,13 +13,13 @@ use crate::{Budget, Claim, Outcome, plain, prove};
 /// More agents than this have too many states together to try.
 const FEW_AGENTS: usize = 3;
 
-/// What a solver answered.
+/// The answer of a solver.
 #[derive(Clone, Debug)]
 pub struct Solved<'a> {
     /// The instance, with the objective by which plans were compared.
     pub instance: &'a Instance,
-    /// What all of its claims are limited to: for the answer to a question the
-    /// plans that it contrasts one with ([`Claim::contrast`]), else all plans.
+    /// The scope of all of its claims: for the answer to a question the contrasting plans
+    /// ([`Claim::contrast`]), else all plans.
     pub about: Claim,
     /// The lower bounds that it proved, each given those of the costs before.
     pub bounds: &'a BTreeMap<Cost, u32>,
@@ -33,7 +33,7 @@ pub struct Solved<'a> {
     pub plan: Option<&'a Plan>,
 }
 
-/// What is to be certified, each with a name for its files.
+/// The claims to certify, each with a name for its files.
 fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
     if solved.impossible {
         return vec![(NO_PLAN.to_owned(), solved.about.clone())];
@@ -54,7 +54,7 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
             *before = below.min(*before);
             claims.push((cost.name().to_owned(), claim));
         }
-        // What comes later was claimed for plans that meet this bound.
+        // Later claims are about plans that meet this bound.
         if costs.is_some_and(|costs| costs.get(cost) != bound) {
             break;
         }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Ended, Reach, Reason, search::Proved, trace::SearchTrace};
 
-/// What is known at the end. Running out is never "no solution".
+/// How much a search has proved. Running out is never "no solution".
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
@@ -49,7 +49,7 @@ pub struct Stats {
 pub struct SolveAnswer {
     /// The format's version.
     pub giveway: Version,
-    /// What is known.
+    /// The proved status.
     pub status: Status,
     /// All five costs of the plan; `null` without one.
     pub costs: Option<Costs>,
@@ -60,7 +60,7 @@ pub struct SolveAnswer {
     /// far these reach ([`Reach::of_bounds`]).
     #[serde(flatten)]
     pub reach: Reach,
-    /// What ended the search; left out where none was made.
+    /// The limit that ended the search; left out where there was none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
     /// Why there is no plan or no proof; nothing otherwise, and in an answer that was read
@@ -104,9 +104,9 @@ impl SolveAnswer {
 pub struct FrontAnswer {
     /// The format's version.
     pub giveway: Version,
-    /// What is known of the front as a whole.
+    /// The proved status of the front as a whole.
     pub status: Status,
-    /// What ended the search for its points; left out where none was made.
+    /// The limit that ended the search for its points; left out where there was none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ended: Option<Ended>,
     /// How far the claim reaches.

@@ -1,4 +1,4 @@
-//! What becomes of a claim where the scene takes something for granted.
+//! Weakens the claim of an answer where its scene has assumptions.
 //!
 //! Leaving out an obstacle that moves gives a relaxation: bounds and impossibility hold with
 //! the obstacle, too; a plan does where the judge, who heeds the obstacle, passes it. The
@@ -210,7 +210,7 @@ pub(crate) fn weaken_front(
     }
 }
 
-/// What remains of a proof.
+/// The status that remains of a proof.
 const fn weaker(status: Status) -> Status {
     match status {
         Status::Optimal | Status::Feasible => Status::Feasible,

@@ -47,7 +47,7 @@ pub(crate) struct Budget<'h> {
     stopped: Cell<Option<Stop>>,
     /// Whether the host hears nothing of what becomes known.
     quiet: bool,
-    /// Who writes down what the search does, where a trace is asked for.
+    /// Records the events of the search, where a trace is asked for.
     recorder: Option<Rc<Recorder>>,
     /// Steps of joint states that may be looked at, and what is left of them.
     joint_given: u64,

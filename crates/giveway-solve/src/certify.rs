@@ -35,8 +35,7 @@ pub struct CertifyRequest {
     /// The objective, where it is not the scene's own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub objective: Option<Objective>,
-    /// What all claims are limited to: of an answer to a question the plans
-    /// that it contrasts one with.
+    /// The scope of all claims: for the answer to a question, the contrasting plans.
     pub about: Claim,
     /// The lower bounds that were claimed, each given those of the costs before.
     #[borsh(deserialize_with = "read_map")]
@@ -55,7 +54,7 @@ pub struct CertifyRequest {
 }
 
 impl CertifyRequest {
-    /// What was claimed of a scene that was solved.
+    /// The claims of the answer for a scene.
     pub fn of_solved(scene: Scene, objective: Option<Objective>, answer: &SolveAnswer) -> Self {
         Self {
             scene,
@@ -70,10 +69,9 @@ impl CertifyRequest {
         }
     }
 
-    /// What was answered about a plan: that there is no other plan of the kind,
-    /// or that the best of them costs no less than the one that is shown. The
-    /// instance has the objective of the answer. Nothing is claimed of an answer
-    /// about a world that changed: certificates are about one world.
+    /// The claims of the answer to a question about a plan: no other plan of that kind exists, or the best of
+    /// them costs no less than the one shown. The instance has the objective of the answer. An answer about a
+    /// world that changed has no claims: certificates are about one world.
     pub fn of_explained(instance: &Instance, plan: Option<&Plan>, answer: &ExplainAnswer) -> Self {
         if answer.since.is_some() {
             return Self {
@@ -184,8 +182,8 @@ fn within<T>(
     )
 }
 
-/// What fits into the memory, by what formulas, proofs and states were measured
-/// to take while they are written and checked.
+/// The limits that fit into the memory, by the measured sizes of formulas, proofs and states while they are
+/// written and checked.
 fn size(limits: &Limits) -> giveway_proof::Budget<'static> {
     let whole = giveway_proof::Budget::default();
     let Some(memory) = limits.memory_bytes.and_then(|n| usize::try_from(n).ok()) else {

@@ -1,11 +1,11 @@
-//! What ended a search, as programs read it.
+//! The limit that ended a search, as programs read it.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
 use crate::budget::Stop;
 
-/// What ended a search.
+/// The limit that ended a search.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]

@@ -1,4 +1,4 @@
-//! What a front lends to the solver: a clock, an ear, and a way to say stop.
+//! The surroundings of the solver: a clock, progress reports, cancellation.
 
 use crate::{Progress, Thresholds};
 

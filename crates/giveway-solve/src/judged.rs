@@ -1,5 +1,4 @@
-//! What a search found, once its plan was judged: the status, and how far the
-//! claim reaches.
+//! The result of a search after its plan was judged: the status, and how far the claim reaches.
 
 use giveway_model::{Costs, Plan};
 

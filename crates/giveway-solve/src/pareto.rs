@@ -45,7 +45,7 @@ pub(crate) fn front(task: &SolveTask) -> FrontAnswer {
         let Solved {
             answer, reach: own, ..
         } = answer(task, &problem, verdict);
-        // Each box was settled as far as all others.
+        // The claim of the front holds as far as the claim of every box.
         let both = reach.map_or(own, |reach| own.map(|own| reach.and(own)));
         match (answer.status, answer.costs) {
             (Status::Optimal, Some(found)) => {

@@ -1,4 +1,4 @@
-//! What becomes known while a request is served.
+//! Progress of a request.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan};

@@ -63,8 +63,8 @@ impl Reach {
         Self(request.within.map_or(Claimed::Nothing, Claimed::Within))
     }
 
-    /// What is left where the claim of an answer is gone, but not its bounds: the makespan up
-    /// to which these hold. That they hold for every horizon is not said any more.
+    /// The reach of the bounds where the claim of the answer is gone: the makespan up to which they hold. It
+    /// is not said any more that they hold at every horizon.
     #[must_use]
     pub const fn of_bounds(self) -> Self {
         match self.0 {

@@ -38,7 +38,7 @@ pub enum Reason {
     },
     /// A method cannot go on after a change.
     Cause(Box<Cause>),
-    /// What happened before a change takes longer than the horizon.
+    /// The time before the change is longer than the horizon.
     PastTooLong,
     /// A planner that looks one step ahead made all its steps.
     StepsOver {
@@ -75,7 +75,7 @@ pub enum Reason {
     BetterLeftOutRules,
     /// There is no plan for the goals that were chosen of those that the file leaves open.
     ChosenGoals,
-    /// What a legal plan costs depends on the goals that the file leaves open.
+    /// The costs of a legal plan depend on the goals that the file leaves open.
     OpenGoals,
     /// The file has keys that may change the problem.
     UnknownKeys {

@@ -1,4 +1,4 @@
-//! What a front may ask: plain data.
+//! The requests of a front: plain data.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, change::Changes, format::from_object};
@@ -133,8 +133,7 @@ pub struct CheckRequest {
     pub scene: Scene,
     /// The plan.
     pub plan: Plan,
-    /// What changes while it runs, each time to be judged in the world of that
-    /// time.
+    /// The changes while it runs; each time is judged in the world of that time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub changes: Option<Changes>,
 }

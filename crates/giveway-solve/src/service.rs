@@ -24,7 +24,7 @@ use crate::{
     together::{self, TogetherAnswer},
 };
 
-/// What comes back. An error is a response, too.
+/// The response to a request. An error is a response, too.
 #[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "response", rename_all = "kebab-case")]
 #[cfg_attr(
@@ -72,12 +72,12 @@ pub enum Refusal {
     },
     /// The request asks for something that does not exist.
     Request {
-        /// What was found and what was expected.
+        /// The fault: found, and expected.
         fault: Fault,
     },
     /// Changes contradict the world as the plan has it.
     Changes {
-        /// What was found and what was expected, with the place in the changes.
+        /// The faults, each with its place in the changes.
         faults: Vec<Fault>,
     },
     /// The plan that is asked about is none.
@@ -87,13 +87,13 @@ pub enum Refusal {
     },
     /// The question cannot be asked of the plan.
     Question {
-        /// What is so instead, and what can be asked.
+        /// Why the question does not fit the plan, and which questions do.
         misfit: Misfit,
     },
 }
 
 impl Refusal {
-    /// What is wrong, in sentences or phrases, one each.
+    /// The faults in sentences or phrases, one each.
     pub fn sentences(&self) -> Vec<String> {
         match self {
             Self::Scene { faults } | Self::Changes { faults } => {
@@ -107,7 +107,7 @@ impl Refusal {
 }
 
 impl Refusal {
-    /// What is wrong with the request, each fault with its place in it.
+    /// The faults of the request, each with its place in it.
     pub fn faults(self) -> Vec<Fault> {
         let in_part = |faults: Vec<Fault>, part| -> Vec<Fault> {
             let faults = faults.into_iter();

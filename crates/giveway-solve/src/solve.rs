@@ -117,7 +117,7 @@ fn solve_unreported(task: &SolveTask) -> Solved {
     }
 }
 
-/// What each agent needs alone, where that is known at once.
+/// Reports the least that each agent needs alone, where that is known at once.
 fn tell_alone(task: &SolveTask, problem: &Problem) {
     let budget = &task.budget;
     match task.objective.costs().first() {

@@ -19,16 +19,16 @@ pub struct Thresholds {
     pub polished_after: u64,
     /// Clauses derived before a plan is made of a model that ends a round.
     pub upper_bound_after: u64,
-    /// The largest gap between bound and best plan that is closed at once.
+    /// The largest gap between bound and best plan that the last phase closes in one call.
     pub closed_gap: u32,
-    /// Literals of a core beyond which its agents are not looked at by themselves.
+    /// The most literals of a core whose agents are exhausted by themselves.
     pub exhausted_core: usize,
-    /// Agents of a core that is tried at higher levels.
+    /// The most agents of a core that is tried at higher levels.
     pub stretched_core: usize,
-    /// Literals of a core beyond which it ends a round: little is left to be
-    /// unsatisfiable without them, and asking takes as long as going on.
+    /// A core of more literals ends a round: the rest is rarely unsatisfiable without them, and a further
+    /// call takes as long as the next round.
     pub round_core: usize,
-    /// Literals of a core that are too few to leave one out.
+    /// A core of at most so many literals is not minimised.
     pub small_core: usize,
     /// Conflicts after which few joint states are exhausted instead.
     pub patience: u64,

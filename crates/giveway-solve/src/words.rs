@@ -1,4 +1,4 @@
-//! What answers say to a person: one text for the page and the command.
+//! Answers in sentences: one text for the page and the command.
 
 use giveway_model::words::Later;
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ use crate::{Ended, Reach, Reason, SolveAnswer, Status, change};
 pub struct Headline {
     /// The word or words that it begins with.
     pub word: String,
-    /// What follows, its own blank or colon included.
+    /// The rest of the headline, its own blank or colon included.
     pub rest: String,
 }
 
@@ -31,7 +31,7 @@ impl fmt::Display for Headline {
     }
 }
 
-/// What is known, and how far it reaches.
+/// The status of an answer, and how far it reaches.
 pub fn headline(objective: &Objective, answer: &SolveAnswer) -> Headline {
     let reason = answer.reason.as_ref().map(|given| sentence(&reason(given)));
     let within = answer.reach.within();
@@ -169,7 +169,7 @@ pub(crate) fn clash<S: AsRef<str>>(agents: &[S]) -> String {
 /// How far a claim reaches that holds for plans of any makespan.
 pub const FOR_EVER: Later = tr_later!("a claim holds" => "no matter how many steps you allow");
 
-/// What is claimed of an answer for a scene that takes something for granted.
+/// The claim of an answer for a scene with assumptions.
 pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
     let claim = claim(answer);
     if assumptions.contains(&Assumption::GoalsChosen) && !claim.is_empty() {
@@ -179,7 +179,7 @@ pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
     }
 }
 
-/// What is claimed of an answer in a sentence of its own.
+/// The claim of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {
     let within = answer.reach.within();
     match (answer.status, within) {
@@ -236,8 +236,8 @@ pub fn reach(reach: Reach) -> Option<String> {
     }
 }
 
-/// What is claimed of so many plans of a Pareto front: of all of them where it is
-/// whole, up to a makespan or for plans of any makespan; otherwise that there may be more.
+/// The claim of a Pareto front of so many plans: that these are all, up to a makespan or for plans of any
+/// makespan; otherwise that there may be more.
 pub fn front(plans: &str, is_whole: bool, within: Option<u32>, ended: Option<Ended>) -> String {
     match (is_whole, within) {
         (false, _) if ended == Some(Ended::Time) => tr!(
@@ -262,8 +262,8 @@ pub fn front(plans: &str, is_whole: bool, within: Option<u32>, ended: Option<End
     }
 }
 
-/// What is proved of each cost in turn: `makespan is 18; sum of costs is at least
-/// 33, the best plan so far has 35`.
+/// The bound of each cost in turn: `makespan is 18; sum of costs is at least 33, the best plan so far has
+/// 35`.
 pub fn known(objective: &Objective, bounds: &BTreeMap<Cost, u32>, best: Option<&Costs>) -> String {
     let parts = objective.costs().iter().filter_map(|&cost| {
         let at_least = *bounds.get(&cost)?;

@@ -1,4 +1,4 @@
-//! What the new walk of an agent may cost.
+//! The allowance of an agent's new walk: its costs may not exceed it.
 
 use giveway_model::Cost;
 

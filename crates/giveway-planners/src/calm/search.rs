@@ -25,7 +25,7 @@ use crate::{
     walk::Walk,
 };
 
-/// What is searched for.
+/// The search for a calmer walk of one agent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Query {
     pub(super) agent: AgentId,
@@ -36,7 +36,7 @@ pub(super) struct Query {
     pub(super) expansion_limit: u32,
 }
 
-/// What a search found.
+/// The result of a search.
 pub(super) struct Found {
     /// The calmest walk without collisions that keeps the allowance; `None` where there is
     /// none, or the limit of expansions was reached first.

@@ -37,7 +37,7 @@ impl CbsCost {
         }
     }
 
-    /// What arrivals at these times cost, one an agent.
+    /// The cost of arrivals at these times, one for each agent.
     pub(super) fn of_arrivals(self, problem: &Problem, arrivals: impl Iterator<Item = u32>) -> u32 {
         match self {
             Self::Makespan => arrivals.max().unwrap_or(0),
@@ -68,7 +68,7 @@ impl CbsCost {
     }
 }
 
-/// What an agent's arrival adds to the sum of costs.
+/// The share of an agent's arrival in the sum of costs.
 fn own_cost(problem: &Problem, agent: AgentId, arrival: u32) -> u32 {
     match arrival {
         0 => 0,
@@ -122,8 +122,7 @@ impl Proved {
         }
     }
 
-    /// What holds whatever the makespan; less than the plan's cost only where
-    /// [`Proved::within`] says so.
+    /// The bound at every horizon; less than the plan's cost only where [`Proved::within`] says so.
     pub const fn bound(self) -> LowerBound {
         self.bound
     }

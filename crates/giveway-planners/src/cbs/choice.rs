@@ -49,7 +49,7 @@ fn cardinality(problem: &Problem, conflict: &Conflict, ways: &[Way]) -> Cardinal
                 let arc = if is_first { arc } else { arc ^ 1 };
                 mdd.always_crosses(arc, time)
             }
-            // Who rests there would have to arrive later.
+            // The agent that rests there would have to arrive later.
             ConflictKind::Target { .. } if is_first => true,
             ConflictKind::Vertex { v, time } | ConflictKind::Target { v, time } => {
                 mdd.is_always_at(problem, v, time)

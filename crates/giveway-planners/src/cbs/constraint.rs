@@ -1,4 +1,4 @@
-//! What a node of the constraint tree asks of an agent, and what follows for the others.
+//! The constraint of a node on one agent, and its consequences for the others.
 //!
 //! A constraint is either negative (an agent is *not* there then) or positive (it
 //! *is* there, which keeps all others away). Splitting a conflict into the
@@ -15,7 +15,7 @@ use crate::{
     walk::{arrival, crossed},
 };
 
-/// What is asked of one agent.
+/// A rule for one agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[expect(
     missing_docs,
@@ -41,13 +41,12 @@ pub enum Rule {
 pub struct Constraint {
     /// Of whom it is asked.
     pub agent: AgentId,
-    /// What is asked.
+    /// The rule.
     pub rule: Rule,
 }
 
 impl Constraint {
-    /// What follows for an agent, if anything: for the others, the reverse of
-    /// what is positive.
+    /// The consequence for an agent, if any: for the others, the reverse of a positive constraint.
     pub(super) fn for_agent(self, problem: &Problem, agent: AgentId) -> Option<Own> {
         if self.agent == agent {
             return Some(Own::Rule(self.rule));
@@ -67,7 +66,7 @@ impl Constraint {
     }
 }
 
-/// What follows from a constraint for one agent.
+/// The consequence of a constraint for one agent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Own {
     /// A rule of its own.

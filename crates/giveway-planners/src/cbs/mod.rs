@@ -49,7 +49,7 @@ pub enum Ended {
     Stopped { stop: Stop, bound: LowerBound },
 }
 
-/// What a search leaves behind.
+/// The result of a search.
 #[derive(Debug)]
 pub struct Outcome {
     /// How it ended.

@@ -9,7 +9,7 @@ use crate::{AgentId, walk::Walk};
 /// Nodes that a tree tells at most.
 const MOST: usize = 1_000;
 
-/// What became of a node.
+/// The fate of a node.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(
     missing_docs,
@@ -39,7 +39,7 @@ pub struct TreeNode {
     pub id: u64,
     /// The node that it is a child of; `None` for the root.
     pub parent: Option<u64>,
-    /// What it asks beside what its parent does.
+    /// Its own constraint, beside those of its ancestors.
     pub constraint: Option<Constraint>,
     /// The cost of its walks, which no plan that keeps its constraints is below;
     /// `None` where it has no walks.
@@ -49,7 +49,7 @@ pub struct TreeNode {
     /// The walks that its parent has not; all of the root. Those of a node that was
     /// split are the ones that have the conflict.
     pub walks: BTreeMap<AgentId, Rc<Walk>>,
-    /// What became of it.
+    /// Its fate.
     pub fate: Fate,
 }
 

@@ -14,13 +14,13 @@ pub type ConfigurationId = u32;
 )]
 type Table = std::collections::HashMap<u64, ConfigurationId, FxBuildHasher>;
 
-/// What is known of a configuration.
+/// A configuration that was reached.
 pub(super) struct Node {
     /// From where it is reached with the least loss; `None` at the start.
     pub(super) parent: Option<ConfigurationId>,
     /// The sum of losses on the way here.
     pub(super) loss: u64,
-    /// What is lost from here on at the least.
+    /// A lower bound on the loss from here on.
     pub(super) least: u64,
     pub(super) priorities: Priorities,
     pub(super) constraints: Constraints,

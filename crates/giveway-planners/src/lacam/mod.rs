@@ -87,7 +87,7 @@ pub enum Ended {
     Stopped(Stop),
 }
 
-/// What the search did.
+/// The result of the search.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
     /// The last plan, which is the best one.

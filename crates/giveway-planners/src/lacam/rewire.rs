@@ -1,5 +1,5 @@
-//! What is lost on the way to a configuration, and what changes where it is
-//! reached at less loss: the part of LaCAM* that LaCAM does not have.
+//! The loss on the way to a configuration, and its update where the configuration is reached at less loss:
+//! the part of LaCAM* that LaCAM does not have.
 
 use super::{explored::ConfigurationId, search::Search};
 use crate::terrain::Vertex;
@@ -9,8 +9,7 @@ use crate::terrain::Vertex;
 const RESTART: u8 = 100;
 
 impl Search<'_> {
-    /// What a step loses: one for each agent that is not at its goal before and
-    /// after it.
+    /// The loss of a step: one for each agent that is not at its goal both before and after it.
     pub(super) fn edge(&self, from: &[Vertex], to: &[Vertex]) -> u64 {
         let steps = from.iter().zip(to).zip(self.plain.goals());
         steps

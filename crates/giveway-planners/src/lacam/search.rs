@@ -129,7 +129,7 @@ impl<'s> Search<'s> {
         Ok(None)
     }
 
-    /// Whether no better plan goes by way of this one, as far as is known.
+    /// Whether no plan through this configuration can be better than the best one so far.
     pub(super) fn cannot_improve(&self, id: ConfigurationId) -> bool {
         let bound = self.explored.nodes[id as usize].bound();
         let goal = self.goal.map(|goal| &self.explored.nodes[goal as usize]);

@@ -1,9 +1,9 @@
-//! What LaCAM did, as data: which configuration was made from which.
+//! The steps of LaCAM as data: which configuration was made from which.
 
 use super::ConfigurationId;
 use crate::{pibt::Inheritance, terrain::Vertex};
 
-/// What came of one step.
+/// The result of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Made {
     /// A configuration that was not known; they are numbered from 0, the start.
@@ -21,9 +21,9 @@ pub struct Event {
     pub from: ConfigurationId,
     /// Where the first agents of its order had to go.
     pub constraints: Vec<Vertex>,
-    /// Who inherited whose priority.
+    /// The inheritances of priority.
     pub inherited: Vec<Inheritance>,
-    /// What came of it.
+    /// The result.
     pub made: Made,
 }
 

@@ -9,13 +9,13 @@ use fastrand::Rng;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Neighbourhood {
     /// A delayed agent, and those that it meets where it walks about at random
-    /// without becoming later.
+    /// A delayed agent, and the agents that it meets on a random walk that does not make it later.
     Delay,
-    /// A delayed agent, and those on a best way of its own.
+    /// A delayed agent, and the agents on an optimal path of its own.
     OwnWay,
-    /// Those that pass near a crossing.
+    /// Agents that pass near a crossing.
     Crossing,
-    /// Any.
+    /// Random agents.
     Random,
 }
 

@@ -48,7 +48,7 @@ impl Default for Lns {
     }
 }
 
-/// What a search may do.
+/// The limits of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
     /// The states of single agents to look at, about.

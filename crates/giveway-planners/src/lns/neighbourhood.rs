@@ -19,7 +19,7 @@ const SIZES: (usize, usize) = (5, 12);
 /// Random walks that look for agents in the way.
 const WALKS: usize = 10;
 
-/// What neighbourhoods are chosen from.
+/// The plan from which neighbourhoods are chosen.
 pub(super) struct Neighbourhoods<'a, 'w, O> {
     pub(super) plan: &'a Plan<'w, O>,
     pub(super) rng: &'a mut Rng,
@@ -164,7 +164,7 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
         group
     }
 
-    /// Those that pass a crossing, and the crossings nearest to it.
+    /// The agents that pass a crossing, and those of the crossings nearest to it.
     fn by_crossing(&mut self, size: usize) -> Vec<AgentId> {
         let terrain = &self.plan.problem().terrain;
         let first = below(self.rng, terrain.size()) as Vertex;

@@ -102,8 +102,8 @@ impl<'a, O: OtherAgents> Plan<'a, O> {
         planned.map(|_| 0)
     }
 
-    /// How late these agents may arrive for the plan to be no worse: what cannot be
-    /// is not searched for, which takes the longest.
+    /// The latest arrivals with which the plan is no worse: later ones are not searched for, which would take
+    /// the longest.
     fn room(&self, old: &[(Walk, Costs)], before: &[u32]) -> Room {
         let sum = old.iter().map(|(walk, _)| arrival(walk)).sum();
         let first = before.first().copied().unwrap_or(0);
@@ -155,6 +155,6 @@ impl<'a, O: OtherAgents> Plan<'a, O> {
 struct Room {
     /// The latest arrival of each.
     each: u32,
-    /// What their arrivals may be together.
+    /// The most that the sum of their arrivals may be.
     sum: u32,
 }

@@ -24,19 +24,19 @@ pub trait OtherAgents {
     /// Takes away the walk of an agent, as it was added.
     fn remove(&mut self, agent: AgentId, walk: &[Place]);
 
-    /// Who is at a vertex at a time.
+    /// The agents at a vertex at a time.
     fn at(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_;
 
-    /// Who crosses the edge of an arc the other way in the step from a time.
+    /// The agents that cross the edge of an arc the other way in the step that begins at a time.
     fn against(&self, time: u32, arc: u32) -> impl Iterator<Item = AgentId> + '_;
 
-    /// Who visits a vertex at which an agent may rest after a time.
+    /// The agents that visit a vertex after a time at which an agent may rest there.
     fn after(&self, time: u32, v: Vertex) -> impl Iterator<Item = AgentId> + '_;
 
     /// The last time at which a goal is visited by an agent on its way.
     fn last_visit(&self, goal: Vertex) -> Option<u32>;
 
-    /// Who comes by a vertex, in the order of time, as far as that is told.
+    /// The agents that visit a vertex, in the order of time, as far as they are known.
     fn visitors(&self, _v: Vertex) -> Vec<AgentId> {
         Vec::new()
     }

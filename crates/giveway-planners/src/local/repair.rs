@@ -119,7 +119,7 @@ impl<'p> Repair<'p> {
         }
     }
 
-    /// Whom an agent collides with.
+    /// The agents that an agent collides with.
     fn met(&self, agent: AgentId) -> Vec<AgentId> {
         let pairs = self.pairs.range((agent, 0)..(agent + 1, 0));
         pairs.map(|&(_, other)| other).collect()

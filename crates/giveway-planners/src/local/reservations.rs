@@ -1,4 +1,4 @@
-//! Who is where and crosses what, of many walks at once.
+//! Reservations: the vertices and edges of many walks at each time.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -29,7 +29,7 @@ struct Label {
 
 const NO_PARENT: u32 = u32::MAX;
 
-/// What one search needs, kept for the next.
+/// The memory of a search, kept for the next one.
 #[derive(Default)]
 pub(super) struct Sipp {
     labels: Vec<Label>,

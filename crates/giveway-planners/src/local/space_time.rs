@@ -18,10 +18,10 @@ use crate::{
     walk::Walk,
 };
 
-/// What is asked.
+/// The search for a walk of one agent.
 #[derive(Clone, Copy, Debug)]
 pub struct Query {
-    /// Who walks.
+    /// The agent.
     pub agent: AgentId,
     /// It must arrive by this time.
     pub latest: u32,
@@ -188,7 +188,7 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
         });
     }
 
-    /// What is cheap to know is asked first: most ways are too long.
+    /// The cheap check comes first: most ways are too long.
     fn reach(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
         let Some(bound) = self.bound(to, time) else {
             return;

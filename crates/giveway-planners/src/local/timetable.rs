@@ -1,8 +1,7 @@
-//! Who is where when, of walks that do not collide: for each vertex the spans of
-//! time in which somebody is there, in order.
+//! A timetable of walks that do not collide: for each vertex the occupied spans of time, in order.
 //!
-//! What lies between them are the safe intervals of Phillips and Likhachev,
-//! "SIPP: Safe interval path planning for dynamic environments" (2011).
+//! Between the spans are the safe intervals of Phillips and Likhachev, "SIPP: Safe interval path planning for
+//! dynamic environments" (2011).
 
 use super::{OtherAgents, Query, safe_interval::Sipp};
 use crate::{
@@ -66,15 +65,14 @@ impl<'p> Timetable<'p> {
         spans.partition_point(|span| span.from <= time)
     }
 
-    /// Whoever is at a vertex at a time.
+    /// The span in which a vertex is occupied at a time.
     pub(super) fn who(&self, time: u32, v: Vertex) -> Option<Span> {
         let last = self.begun(time, v).checked_sub(1)?;
         let span = self.spans[v as usize][last];
         (span.to >= time).then_some(span)
     }
 
-    /// Whoever crosses from `v` to `u` in the step from a time, which a slow arc
-    /// takes two of.
+    /// The span of an agent that crosses from `v` to `u` in the step from a time; a slow arc takes two steps.
     pub(super) fn crosses(&self, time: u32, (v, u): (Vertex, Vertex), slow: bool) -> Option<Span> {
         let begun = self.begun(time, v);
         let spans = self.spans.get(v as usize)?;

@@ -15,7 +15,7 @@ use crate::{
     terrain::{Arc, Vertex},
 };
 
-/// What a move costs, and what each agent that comes towards it adds.
+/// The cost of a move, and of each agent that comes the other way.
 const MOVE: u32 = 20;
 const ONCOMING: u32 = 2;
 /// How often all agents choose.
@@ -23,7 +23,7 @@ const ROUNDS: usize = 2;
 /// The memory that guides may take; larger crowds on larger maps go without.
 const MOST_BYTES: usize = 64_000_000;
 
-/// What each agent still has to pay, from everywhere.
+/// The guided cost to go of each agent, from every vertex.
 pub(crate) struct Guide {
     vertices: usize,
     costs: Vec<u32>,
@@ -66,7 +66,7 @@ impl Guide {
         }))
     }
 
-    /// What an agent still has to pay from a vertex.
+    /// The cost to go of an agent from a vertex.
     pub(crate) fn cost(&self, agent: AgentId, v: Vertex) -> u32 {
         self.costs[agent * self.vertices + v as usize]
     }
@@ -111,8 +111,7 @@ impl<'p> Traffic<'p> {
         }
     }
 
-    /// What it costs to cross an arc: the other direction has the next number, or
-    /// the one before.
+    /// The cost of an arc: the other direction has the next number, or the one before.
     fn cost(&self, arc: u32) -> u32 {
         MOVE + ONCOMING * self.flow[(arc ^ 1) as usize]
     }
@@ -165,7 +164,7 @@ impl<'p> Traffic<'p> {
         way
     }
 
-    /// What it costs from everywhere to a goal (Dijkstra, backwards).
+    /// The costs to a goal from every vertex (Dijkstra, backwards).
     fn costs_to(&mut self, goal: Vertex) -> Vec<u32> {
         let plain = self.plain;
         let mut costs = vec![u32::MAX; plain.vertices()];

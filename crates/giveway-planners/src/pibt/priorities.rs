@@ -1,7 +1,7 @@
-//! Who chooses first in a step.
+//! The priorities of a step: the order in which agents choose.
 //!
-//! Whoever is longest on its way since it was last at its goal; among equals
-//! whoever had the longest way at the start.
+//! The agent with the most steps since it was last at its goal comes first; among equals, the agent with the
+//! longest way at the start.
 
 use crate::{plain::Plain, terrain::Vertex};
 
@@ -41,7 +41,7 @@ pub(crate) struct Priorities {
 }
 
 impl Priorities {
-    /// Those at the start.
+    /// The priorities at the start.
     pub(crate) fn first(ranks: &Ranks) -> Self {
         Self {
             elapsed: vec![0; ranks.rank.len()].into(),
@@ -49,7 +49,7 @@ impl Priorities {
         }
     }
 
-    /// Those in a configuration, one step later.
+    /// The priorities in a configuration, one step later.
     pub(crate) fn after(&self, ranks: &Ranks, cells: &[Vertex], goals: &[Vertex]) -> Self {
         let onward = self.elapsed.iter().zip(cells.iter().zip(goals));
         let elapsed: Box<[u32]> = onward

@@ -12,9 +12,9 @@ use crate::{AgentId, plain::Plain, terrain::Vertex};
 /// An agent lends its priority to another one, which stands in its way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Inheritance {
-    /// Who lends it.
+    /// The agent that lends it.
     pub from: AgentId,
-    /// Who inherits it.
+    /// The agent that inherits it.
     pub to: AgentId,
     /// Where the heir stands, and the lender wants to be.
     pub at: Vertex,
@@ -27,11 +27,10 @@ const UNDECIDED: Vertex = Vertex::MAX;
 /// The ways on from a cell: four neighbours, and to stay.
 const MOST: usize = 5;
 
-/// What a step nearer to the goal is worth, where no guide says it: more than
-/// all that follows.
+/// The weight of a step nearer to the goal where no guide gives it: more than all the others.
 const NEARER: u32 = 64;
-/// What it costs to hinder another one, and what chance adds at the most. It is
-/// so much that nobody goes round in circles.
+/// The cost of hindering another agent, and the most that randomness adds: enough that no agent goes round in
+/// circles.
 const HINDRANCE: u32 = 3;
 const CHANCE: u32 = 12;
 
@@ -45,7 +44,7 @@ pub(crate) struct Step<'p> {
     at_next: Vec<u32>,
     rng: Rng,
     chain: Vec<Chooser>,
-    /// Who inherited whose priority in this step, where anybody asks.
+    /// The inheritances of priority in this step, where they are recorded.
     inherited: Option<Vec<Inheritance>>,
 }
 
@@ -127,12 +126,12 @@ impl<'p> Step<'p> {
         &self.next
     }
 
-    /// Who inherited whose priority in this step.
+    /// The inheritances of priority in this step.
     pub(crate) fn inherited(&self) -> &[Inheritance] {
         self.inherited.as_deref().unwrap_or(&[])
     }
 
-    /// What an agent still has to pay from a vertex: less, the better.
+    /// The cost to go of an agent from a vertex: less is better.
     pub(super) fn to_go(&self, agent: AgentId, v: Vertex) -> u32 {
         match self.guide {
             Some(guide) => guide.cost(agent, v),
@@ -140,7 +139,7 @@ impl<'p> Step<'p> {
         }
     }
 
-    /// Who is at a vertex now.
+    /// The agent at a vertex now.
     pub(super) fn occupant(&self, v: Vertex) -> Option<AgentId> {
         let agent = self.at_now[v as usize];
         (agent != NOBODY).then_some(agent as usize)

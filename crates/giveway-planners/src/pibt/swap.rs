@@ -9,7 +9,7 @@
 use super::step::Step;
 use crate::{AgentId, plain::Plain, terrain::Vertex};
 
-/// Whom an agent has to change places with, where it wants to go to a vertex.
+/// The agent with which an agent has to swap to enter a vertex.
 pub(super) fn follower(
     plain: &Plain,
     step: &Step,

@@ -1,4 +1,4 @@
-//! What each method cannot do: it is refused by name, not ignored.
+//! The limits of each method: it refuses an instance by the name of the part that it cannot handle.
 
 use giveway_model::Cost;
 
@@ -47,8 +47,8 @@ impl From<Unsupported> for Inability {
     }
 }
 
-/// What a planner lacks for the instance, if anything; which costs CBS makes least
-/// it says itself.
+/// The part of the instance that a planner cannot handle, if any; CBS itself names the costs that it can
+/// minimise.
 pub(super) fn lack(planner: Planner, problem: &Problem) -> Option<Inability> {
     match planner {
         Planner::Pibt | Planner::Lacam => Plain::new(problem).err().map(Inability::from),

@@ -62,7 +62,7 @@ pub(super) fn lacam(asked: &Asked, mut best: Best, budget: &dyn Budget) -> Repor
     };
     let outcome = match searched.ended {
         Ended::Stopped(stop) => Outcome::stopped(Halt::Budget(stop), best),
-        // That there is no plan at all is for the proofs of others to say.
+        // That there is no plan at all is left to other proofs.
         Ended::FirstPlan | Ended::LeastLoss | Ended::StepLimit | Ended::Exhausted(_) => {
             Outcome::found(best)
         }

@@ -66,7 +66,7 @@ impl Planner {
         }
     }
 
-    /// What its steps are, for people, after so many of them.
+    /// The name of its steps, for people, after a number of them.
     pub fn steps(self, n: u64) -> &'static str {
         match (self, n) {
             (Self::Prioritised, 1) => tr!("a number of" => "order tried"),

@@ -10,7 +10,7 @@ use crate::{
     walk::Walk,
 };
 
-/// What a planner leaves behind.
+/// The result of a planner.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// How it ended.
@@ -91,7 +91,7 @@ impl Outcome {
         }
     }
 
-    /// What is proved of the first cost, where something is.
+    /// The proved bound of the first cost, if there is one.
     pub fn bound(&self) -> Option<LowerBound> {
         match self {
             Self::Best { proved, .. } => Some(proved.bound()),
@@ -127,7 +127,7 @@ pub enum Trace {
     Prioritised(Vec<OrderAttempt>),
     /// The constraint tree.
     Cbs(Tree),
-    /// Who inherited whose priority, each with the time at which its step begins.
+    /// The inheritances of priority, each with the time at which its step begins.
     Pibt(Vec<(u32, Inheritance)>),
     /// The configurations.
     Lacam(lacam::Trace),

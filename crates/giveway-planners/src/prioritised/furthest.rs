@@ -46,7 +46,7 @@ pub(super) fn furthest(
                         layers.push(Layer::new());
                     }
                     let layer = &mut layers[time + steps];
-                    // Who can be there sooner and wait does.
+                    // An agent that can be there earlier and wait does so.
                     if to == v {
                         layer.insert(to, (v, time));
                     } else {

@@ -55,14 +55,14 @@ pub enum Ended {
     Stopped(Stop),
 }
 
-/// What prioritised planning leaves behind.
+/// The result of prioritised planning.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// How it ended.
     pub ended: Ended,
     /// How many orders were tried.
     pub tried: u32,
-    /// What happened in each, where that was asked for.
+    /// The orders that were tried, where they are recorded.
     pub attempts: Option<Vec<OrderAttempt>>,
 }
 
@@ -221,7 +221,7 @@ impl OrderAttempt {
     }
 }
 
-/// Whom an agent would meet on the way that it would take alone.
+/// The agents on the way that an agent would take alone.
 fn in_the_way(
     others: &mut impl OtherAgents,
     agent: AgentId,

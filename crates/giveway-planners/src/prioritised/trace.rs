@@ -1,11 +1,11 @@
-//! What happened in one order: who was planned around whom, and who got stuck.
+//! The steps of one order: which agents were planned around which, and which got stuck.
 
 use crate::{AgentId, walk::Walk};
 
 /// An agent that got a walk.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Planned {
-    /// Who.
+    /// The agent.
     pub agent: AgentId,
     /// When it arrives.
     pub arrival: u32,
@@ -21,9 +21,9 @@ pub struct Planned {
 /// An agent that has no walk around those before it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stuck {
-    /// Who.
+    /// The agent.
     pub agent: AgentId,
-    /// Whom it meets on the best way of its own that meets the fewest.
+    /// Agents on its least-conflict optimal path.
     pub around: Vec<AgentId>,
 }
 
@@ -32,9 +32,9 @@ pub struct Stuck {
 pub struct OrderAttempt {
     /// The order.
     pub order: Vec<AgentId>,
-    /// Who got a walk, in that order.
+    /// The agents with a walk, in that order.
     pub planned: Vec<Planned>,
-    /// Who did not, if somebody did not.
+    /// The agent that got stuck, if one did.
     pub stuck: Option<Stuck>,
     /// How far whoever is stuck comes: the longest walk of its own around those
     /// before it. Empty where nobody is, or too many walks were told before.

@@ -1,4 +1,4 @@
-//! What conditions ask of one agent beside its task, as an automaton over its mask.
+//! The conditions on one agent beside its task, as an automaton over its mask.
 //!
 //! What forbids or asks for places, crossings and charges is part of the agent's own
 //! task: its tables, its MDD and its searches keep to it by construction, and bounds
@@ -17,11 +17,11 @@ use crate::terrain::Vertex;
 /// Any number of conditions on one agent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Automaton {
-    /// What it must not do.
+    /// The forbidden acts.
     pub forbidden: Vec<Forbidden>,
     /// Waits that it must not make.
     pub waits: Vec<LongWait>,
-    /// What it must do; the i-th has the i-th bit after the waypoints.
+    /// The required acts; the i-th has the i-th bit after the waypoints.
     pub required: Vec<Required>,
     /// The most that it may have of some costs; the makespan is its arrival.
     pub limits: BTreeMap<Cost, u32>,
@@ -30,7 +30,7 @@ pub struct Automaton {
 /// Something that an agent must not do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Forbidden {
-    /// What it must not do.
+    /// The forbidden act.
     pub act: Act,
     /// When.
     pub times: Times,
@@ -38,7 +38,7 @@ pub struct Forbidden {
     pub unless: Mask,
 }
 
-/// What an agent may do.
+/// An act of an agent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Act {
     /// It is at a vertex.
@@ -271,7 +271,7 @@ impl Automaton {
         done.fold(0, |bits, (_, number)| bits | 1 << number)
     }
 
-    /// What must be done before this time, as bits from 0 on.
+    /// The required acts that are due before this time, as bits from 0 on.
     pub fn due(&self, now: u32) -> Mask {
         self.parts().fold(0, |bits, part| match part {
             Part::Required(number, required) if required.times().last() < now => bits | 1 << number,

@@ -1,4 +1,4 @@
-//! What an agent alone still has to pay, from anywhere: exact tables.
+//! The cost to go of one agent alone, from every vertex: exact tables.
 //!
 //! A backward search from the goal over (vertex, waypoints visited) with labels
 //! *(cost, need)*: with a battery level of at least `need` the task can be
@@ -17,7 +17,7 @@ use crate::{
     terrain::{Terrain, Vertex},
 };
 
-/// What a table counts.
+/// The cost that a table counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metric {
     /// Time steps up to the arrival.

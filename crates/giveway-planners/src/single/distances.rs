@@ -74,7 +74,7 @@ impl Distances {
                     }
                     first
                 }
-                // What is beyond stays unknown, and the table is of no use.
+                // The rest stays unknown, and the table is of no use.
                 _ => {
                     fits &= !first;
                     false

@@ -37,7 +37,7 @@ pub enum Bounds {
     Along(Rc<Vec<Vertex>>),
 }
 
-/// What one agent has to do.
+/// The task of one agent.
 #[derive(Clone, Debug)]
 pub struct Task {
     /// Where it is at time 0, or will be first.
@@ -61,10 +61,9 @@ pub struct Task {
     pub transit: Option<u32>,
     /// It begins no move before this time; it may rest at its goal, though.
     pub earliest_move: u32,
-    /// What it adds to the sum of costs not to arrive at time 0.
+    /// The sum of costs of an agent that does not arrive at time 0: it left its goal.
     pub cost_if_it_leaves_goal: u32,
-    /// The waits that it adds not to arrive at time 0: it stood at its goal and
-    /// had not arrived.
+    /// The waits of an agent that does not arrive at time 0: it stood at its goal and had not arrived.
     pub waits_if_it_leaves_goal: u32,
     /// The wait steps on end at `start` that it made just before time 0, as far as they
     /// count for conditions on long waits.
@@ -122,7 +121,7 @@ impl Task {
         rules: Rules,
         terrain: &mut Terrain,
     ) -> Result<Self, NoPlanAlone> {
-        // Who is held to a path that leads on has to go on.
+        // An agent that is held to a path that leads on has to go on.
         let may_stay =
             state.rested > 0 && !matches!(&bounds, Bounds::Along(path) if path.len() > 1);
         let is_below = |battery: Battery| battery.initial < rules.battery_floor;

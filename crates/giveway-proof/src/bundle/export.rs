@@ -30,7 +30,7 @@ pub fn export_checked(
     (written(solved, entries, proofs), report)
 }
 
-/// What shows the claims, with the files of proofs.
+/// The entries that show the claims, with the files of proofs.
 fn shown(solved: &Solved<'_>, budget: &Budget<'_>) -> (Vec<Entry>, Bundle) {
     let mut proofs = Bundle::new();
     let entries = show(solved, budget, &mut |name, formula, proof| {

@@ -10,7 +10,7 @@ use sha2::{Digest as _, Sha256};
 use super::{INSTANCE, Missing, PLAN, README, proof_files, readme};
 use crate::Claim;
 
-/// What a certificate claims and holds.
+/// The claims and the contents of a certificate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
@@ -19,7 +19,7 @@ pub struct Manifest {
     pub version: u32,
     /// The order of the costs.
     pub objective: Objective,
-    /// What the plan costs; `null` without one.
+    /// The costs of the plan; `null` without one.
     pub costs: Option<Costs>,
     /// The claims, with what each rests on.
     pub claims: Vec<Entry>,
@@ -33,7 +33,7 @@ pub struct Manifest {
 pub enum Entry {
     /// A proof that can be checked.
     Proof {
-        /// What is claimed.
+        /// The claim.
         claim: Claim,
         /// The name of its files, without their endings.
         name: String,
@@ -44,14 +44,14 @@ pub enum Entry {
     },
     /// A search that can be repeated.
     Search {
-        /// What is claimed.
+        /// The claim.
         claim: Claim,
-        /// What is searched.
+        /// The states that are searched.
         method: Method,
     },
     /// Nothing that could be checked.
     None {
-        /// What is claimed.
+        /// The claim.
         claim: Claim,
         /// Why there is nothing.
         why: Missing,
@@ -105,7 +105,7 @@ impl TryFrom<Written> for Entry {
 }
 
 impl Entry {
-    /// What is claimed.
+    /// The claim.
     pub fn claim(&self) -> &Claim {
         match self {
             Self::Proof { claim, .. } | Self::Search { claim, .. } | Self::None { claim, .. } => {
@@ -115,7 +115,7 @@ impl Entry {
     }
 }
 
-/// What a search goes through.
+/// The states that a search exhausts.
 #[derive(
     Clone,
     Copy,
@@ -136,7 +136,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// What was searched, for a sentence.
+    /// The searched states, for a sentence.
     pub fn words(self) -> &'static str {
         match self {
             Self::Alone => tr!("a search of ..." => "each robot alone"),

@@ -50,12 +50,11 @@ impl Database {
 
     /// Adds a clause; says whether it contradicts what is known.
     ///
-    /// What is known stays so for ever, so a clause that is satisfied by it need
-    /// not be watched.
+    /// Units stay true for ever, so a clause that they satisfy need not be watched.
     pub(super) fn add(&mut self, clause: &[Lit]) -> bool {
         let clause = sorted(clause);
         let key = key(&clause);
-        // Those that may still hold come first, to be watched.
+        // Literals that are not false come first, to be watched.
         let (mut clause, mut shut): (Vec<Code>, Vec<Code>) =
             clause.into_iter().partition(|&lit| !self.is_false(lit));
         let open = clause.len();
@@ -238,7 +237,7 @@ impl Database {
     }
 }
 
-/// What is seen of a clause one of whose watched literals is false.
+/// The state of a clause one of whose watched literals is false.
 enum Look {
     /// It is watched elsewhere now, or deleted.
     Moved,

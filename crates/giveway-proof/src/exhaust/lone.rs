@@ -33,7 +33,7 @@ impl State {
     }
 }
 
-/// What one agent does from one time to the next.
+/// The step of one agent from one time to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     pub(super) to: State,
@@ -197,7 +197,7 @@ impl<'a> Lone<'a> {
     }
 }
 
-/// What a step before the arrival takes, beside one of time.
+/// The costs of a step before the arrival, beside one of time.
 fn spend(costs: &[Cost]) -> Spent {
     let mut spent = Spent::default();
     for cost in [Cost::Makespan, Cost::SumOfCosts].iter().chain(costs) {

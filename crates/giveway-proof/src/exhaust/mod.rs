@@ -16,7 +16,7 @@ use crate::{Budget, Claim};
 use lone::{Lone, State, Step};
 use watch::{Memory, Watch};
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exhausted {
     /// There is a plan of the kind; what it costs at least, of the cost that
@@ -138,7 +138,7 @@ struct Search<'a> {
 struct Joint {
     states: Vec<State>,
     spent: Vec<u32>,
-    /// What was seen of the condition.
+    /// The memory of the condition.
     memory: Memory,
 }
 

@@ -7,14 +7,14 @@ use giveway_model::{Cell, Condition, Cost, Instance};
 use super::lone::{Lone, State, Step};
 use crate::condition::fits;
 
-/// What has been seen so far of what a condition is about.
+/// The part of a condition that has happened so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Memory {
     /// The time, up to the last one that matters and one more.
     time: u32,
     /// Steps, or waits on end, counted so far.
     count: u32,
-    /// What has to happen has happened.
+    /// The required act has happened.
     done: bool,
     /// The agent that has to come later has been there.
     late: bool,
@@ -23,7 +23,7 @@ pub(super) struct Memory {
 /// Watches a condition. All agents of the instance are searched, in its order.
 pub(super) struct Watch<'a> {
     condition: &'a Condition,
-    /// Whom it is about; nobody in particular where it is about anybody.
+    /// The agent of the condition; `None` where it is about any agent.
     agent: Option<usize>,
     /// The agent that has to come later.
     other: Option<usize>,
@@ -131,7 +131,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// What the agent does from one time to the next.
+    /// The memory after an agent's step from one time to the next.
     fn leave(&self, from: State, step: &Step, memory: Memory) -> Option<Memory> {
         let mut memory = memory;
         let takes = |cost: Cost| step.spent[cost as usize];

@@ -52,12 +52,12 @@ impl Cnf {
         text
     }
 
-    /// What the variables stand for, from variable 1 on.
+    /// The names of the variables, from variable 1 on.
     pub fn names(&self) -> &[Name] {
         &self.names
     }
 
-    /// What the variables stand for, a line each.
+    /// The names of the variables, a line each.
     pub fn names_text(&self, instance: &Instance) -> String {
         names::text(&self.names, instance)
     }

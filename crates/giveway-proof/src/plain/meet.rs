@@ -44,8 +44,8 @@ pub(super) fn edges(cnf: &mut Cnf, instance: &Instance, last: u32, walkers: &[Wa
     }
 }
 
-/// What holds where some agent is on the edge from u to v in the step that
-/// begins at the time; all literals of an entry together.
+/// The literals of agents on the edge from u to v in the step that begins at the time; all literals of an
+/// entry hold together.
 fn crossings(
     instance: &Instance,
     walkers: &[Walker<'_>],

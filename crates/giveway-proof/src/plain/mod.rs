@@ -82,7 +82,7 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
             .iter()
             .map(|walker| walker.counted(&mut cnf, cost))
             .collect();
-        // What comes sorted, as arrivals do, need not be sorted by clauses.
+        // Arrivals come sorted and need no sorting clauses.
         let sorted = cost == Cost::SumOfCosts;
         count::at_most(
             &mut cnf,

@@ -1,10 +1,10 @@
-//! What the variables of a formula stand for.
+//! The names of a formula's variables.
 
 use std::fmt::Write as _;
 
 use giveway_model::{Cell, Cost, Instance};
 
-/// What a variable of a formula stands for; agents by their place in the file.
+/// The name of a variable; agents by their place in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Name {
     /// The agent is at the cell at the time.
@@ -21,12 +21,12 @@ pub enum Name {
     Move(usize, u32),
     /// It waits from the time to the next, before its arrival.
     Wait(usize, u32),
-    /// Whoever is on the edge between the two cells in the step that begins at
-    /// the time goes from the first to the second.
+    /// An agent on the edge between the two cells, in the step that begins at the time, goes from the first
+    /// to the second.
     Direction(Cell, Cell, u32),
     /// Some agents together cost at least so much.
     AtLeast(Cost, u32),
-    /// What a question asks for happens at the time.
+    /// The act of the condition happens at the time.
     Happens(u32),
     /// The agent that would be first has been at the cell of the question, at
     /// the time or before.

@@ -1,8 +1,8 @@
 //! The same for changes, planners, questions and what all best plans share.
 //!
-//! What these say holds for the scene as it is posed, which stands beside every answer
-//! (`giveway_model::assumption::sentences`); of the file's problem nothing is claimed to
-//! hold for every horizon.
+//! These answers hold for the scene as it is posed, which stands beside each of them
+//! (`giveway_model::assumption::sentences`); for the problem of the file, nothing is claimed at every
+//! horizon.
 
 use giveway_model::{Assumption, Objective, Scene};
 

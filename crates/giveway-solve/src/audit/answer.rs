@@ -1,4 +1,4 @@
-//! What is known of a plan.
+//! The answer to an audit of a plan.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Reach, Reason, Stats, Status};
 
-/// What is known of a plan in the end.
+/// The verdict of an audit.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
@@ -46,7 +46,7 @@ pub struct AuditAnswer {
     /// How far the bounds, and what is claimed with them, reach.
     #[serde(flatten)]
     pub reach: Reach,
-    /// What is known of the plan.
+    /// The verdict.
     pub status: AuditStatus,
     /// How far a legal plan may be from the best: its first cost beyond the bound, as
     /// a part of the bound; `null` for an illegal plan, and where there is no such
@@ -57,8 +57,8 @@ pub struct AuditAnswer {
     pub better: Option<Plan>,
     /// Its costs.
     pub better_costs: Option<Costs>,
-    /// What is known of the best plan: `optimal` where `better`, or else the audited
-    /// plan, is proved to be it; `impossible` where there is no legal plan at all.
+    /// The status of the search for the best plan: `optimal` where `better`, or else the audited plan, is
+    /// proved optimal; `impossible` where no legal plan exists.
     pub search: Status,
     /// Why something is not known, or why there is no legal plan.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,8 +74,8 @@ impl AuditAnswer {
     }
 }
 
-/// How far costs are from the bounds, by the first cost of an objective, as a part
-/// of the bound; `None` where that is no number.
+/// The gap between the first cost of an objective and its bound, as a part of the bound; `None` where the
+/// bound is 0 and the cost is not.
 pub fn gap(objective: &Objective, costs: &Costs, bounds: &BTreeMap<Cost, u32>) -> Option<f64> {
     let first = objective.costs().first()?;
     let (cost, bound) = (costs.get(*first), *bounds.get(first)?);

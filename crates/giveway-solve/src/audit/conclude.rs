@@ -7,8 +7,8 @@ use giveway_model::{Cost, Costs, Objective, Version, check::Report};
 use super::{AuditAnswer, AuditStatus, gap};
 use crate::{Ended, SolveAnswer, Stats, Status, budget::Stop};
 
-/// What is claimed of a plan. The search is not trusted: where it contradicts the
-/// judge, nothing is claimed at all.
+/// The claim about an audited plan. The search is not trusted: where it contradicts the judge, nothing is
+/// claimed at all.
 pub(super) fn conclude(objective: Objective, report: Report, search: SolveAnswer) -> AuditAnswer {
     let legal = report.is_valid();
     let own = report.costs.filter(|_| legal);

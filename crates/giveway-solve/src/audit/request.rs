@@ -1,4 +1,4 @@
-//! What is asked of a plan.
+//! The request for an audit of a plan.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, format::from_object};

@@ -62,8 +62,8 @@ fn best(task: &SolveTask, at_least: u32) -> SolveAnswer {
     answer
 }
 
-/// What each agent needs alone, told to the host at once: of the first cost, and of
-/// those that follow without further work.
+/// The least that each agent needs alone, reported to the host at once: of the first cost, and of those that
+/// follow without further work.
 fn lone_bounds(task: &SolveTask, problem: &Problem) -> BTreeMap<Cost, LoneBound> {
     let mut bounds = BTreeMap::new();
     for (i, &cost) in task.objective.costs().iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What is known of a plan, in sentences: one text for the page and the command.
+//! The verdict of an audit in sentences: one text for the page and the command.
 
 use giveway_model::words::{name, sentence, values};
 use giveway_model::{Assumption, Cost, Costs, assumption::left_out, tr};
@@ -57,7 +57,7 @@ pub fn headline_under(answer: &AuditAnswer, assumptions: &[Assumption]) -> Headl
         return head;
     }
     let is_chosen = assumptions.contains(&Assumption::GoalsChosen);
-    // Nobody judges the rules that are left out, so that the plan itself may break them.
+    // The judge leaves some rules out, so the plan itself may break them.
     let word = match (left_out(assumptions).is_some(), is_chosen) {
         (true, true) => tr!("an audit" => "No plan costs less for the goals chosen"),
         (true, false) => tr!("an audit" => "No plan costs less"),
@@ -141,7 +141,7 @@ fn feasible(answer: &AuditAnswer) -> Headline {
     }
 }
 
-/// What is known of the costs after the first one, where that is at its bound.
+/// Bounds of the costs after the first one, where the first is at its bound.
 fn later(answer: &AuditAnswer) -> String {
     let Some(own) = &answer.costs else {
         return String::new();
@@ -178,7 +178,7 @@ fn later(answer: &AuditAnswer) -> String {
     String::new()
 }
 
-/// What else is to be said, a sentence each.
+/// Further remarks, a sentence each.
 pub fn notes(answer: &AuditAnswer) -> Vec<String> {
     let mut notes = Vec::new();
     if answer.status == AuditStatus::Illegal

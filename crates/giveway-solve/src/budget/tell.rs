@@ -1,4 +1,4 @@
-//! What the host is told while a request is worked on: progress, and the trace.
+//! Reports to the host while a request is worked on: progress, and the trace.
 
 use std::rc::Rc;
 

@@ -16,7 +16,7 @@ use crate::{Host, Limits, Progress, Refusal};
 pub struct Certificate {
     /// A name for its folder: letters, digits and hyphens.
     pub name: String,
-    /// What is to be certified. Its own limits are not asked for.
+    /// The claims to certify. The limits in it are not used.
     pub request: CertifyRequest,
 }
 
@@ -55,7 +55,7 @@ pub struct Exported {
     /// The texts of its files by their names.
     #[borsh(deserialize_with = "read_map")]
     pub files: BTreeMap<String, String>,
-    /// What came of checking them.
+    /// The report of checking them.
     pub report: Report,
 }
 

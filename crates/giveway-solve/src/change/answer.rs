@@ -13,7 +13,7 @@ use crate::SolveAnswer;
 pub struct Cause {
     /// The agent.
     pub agent: String,
-    /// What keeps it from what the method asks of it.
+    /// The kind of cause.
     pub kind: CauseKind,
     /// Where; `None` where it is no cell alone.
     pub cell: Option<Cell>,
@@ -23,7 +23,7 @@ pub struct Cause {
     pub within: Option<u32>,
     /// The method that holds them; `replan` where no plan at all would do.
     pub method: Method,
-    /// Those of the agents that block each other which are held to the method.
+    /// Among the agents that block each other, those that the method holds to their paths.
     pub held: Vec<String>,
     /// Whether one of the agents that block each other has a battery.
     pub has_batteries: bool,
@@ -44,7 +44,7 @@ impl Serialize for Cause {
     }
 }
 
-/// What keeps an agent from what a method asks of it.
+/// Why an agent cannot do what a method asks of it.
 #[derive(
     Clone,
     Copy,
@@ -72,8 +72,8 @@ pub enum CauseKind {
     Blocked,
 }
 
-/// What one method makes of the changes of one time. The plan runs from time 0,
-/// and so do costs and bounds.
+/// The answer of one method to the changes of one time. The plan runs from time 0, and so do costs and
+/// bounds.
 #[derive(Clone, Debug, PartialEq, Serialize, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub struct MethodAnswer {
     /// The plan, and what is proved of it.
@@ -129,7 +129,7 @@ pub struct Step {
     pub at: u32,
     /// The costs of the plan before anything changed.
     pub before: Option<Costs>,
-    /// What the methods make of it.
+    /// The answers of the methods.
     pub methods: Methods,
     /// The method whose plan is followed from then on; `null` where none has
     /// one, and then nothing later is looked at.
@@ -146,7 +146,7 @@ pub struct ChangeAnswer {
     pub at: Option<u32>,
     /// The costs of the plan before that.
     pub before: Option<Costs>,
-    /// What the methods make of it.
+    /// The answers of the methods.
     pub methods: Methods,
     /// The method whose plan is followed; `null` where none has one. What would
     /// help then tells the question `unsolvable` with the same plan and changes

@@ -1,4 +1,4 @@
-//! What became of each old agent.
+//! Compares the new plan with the old one, agent by agent.
 
 use giveway_model::{Plan, change::Trajectory, compare::Difference, snapshot::Snapshot};
 

@@ -153,7 +153,7 @@ impl MethodCase<'_, '_> {
         }
     }
 
-    /// What is looked for in a problem.
+    /// The bounds of a plan in a problem.
     pub(super) fn bounded(&self, problem: &Problem) -> Bounded {
         let grid = self.snapshot.instance.grid();
         Bounded {

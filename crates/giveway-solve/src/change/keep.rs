@@ -1,4 +1,4 @@
-//! What a method asks of an old agent: its bounds, or why they cannot be.
+//! The bounds that a method puts on an old agent, or why it cannot keep them.
 
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -27,7 +27,7 @@ impl MethodRefusal {
     }
 }
 
-/// What an agent cannot do by any method: go to an obstacle.
+/// The refusal of every method: the agent would have to go to an obstacle.
 pub(super) fn blocked(agent: &Agent, terrain: &Terrain) -> Option<(MethodRefusal, NoPlanAlone)> {
     let mut cells = agent.waypoints.iter().chain(&agent.goal);
     cells.find_map(|&cell| {

@@ -24,7 +24,7 @@ use answer::{answer, without_search};
 use cause::{blocked, cause_of};
 use judged::judged;
 
-/// What a method found, with the agents that it freed.
+/// The result of a method, with the agents that it freed.
 struct MethodFound {
     problem: Problem,
     bounded: Bounded,
@@ -66,7 +66,7 @@ pub(super) fn run(case: &MethodCase<'_, '_>) -> MethodAnswer {
             Ok(better) => answer(case, &better),
             Err(stop) => answer(case, &stopped(found, stop)),
         },
-        // Nobody's path is to blame.
+        // No path is the cause.
         Ok(None) => answer(case, &found),
         Err(stop) => answer(case, &stopped(found, stop)),
     }

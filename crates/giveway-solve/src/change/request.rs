@@ -1,4 +1,4 @@
-//! What is asked: which changes, and by which methods to go on.
+//! The request for new plans after changes, and the methods to make them.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -99,7 +99,7 @@ pub struct ChangeRequest {
     /// The plan. It may be one that was adopted after some of the changes; then
     /// the later ones are looked at.
     pub plan: Plan,
-    /// What changes.
+    /// The changes.
     pub changes: Changes,
     /// The first time whose changes are new to the plan: it was adopted after
     /// those before. Without it the plan itself says what it knows

@@ -100,7 +100,7 @@ fn adopted_so_far(
     let mut history = History::new(instance);
     let mut broken: Option<Vec<Violation>> = None;
     let times = request.changes.by_time();
-    // What the request says counts before what the plan says of itself.
+    // The request counts before the time that the plan itself names.
     let said = plan.knows.map(|knows| knows.saturating_add(1));
     let wanted = request.since.or(said).map(|since| {
         let before = times.iter().take_while(|(at, _)| *at < since);

@@ -152,7 +152,7 @@ pub fn notes(answer: &MethodAnswer) -> Vec<String> {
     notes
 }
 
-/// Who blocks each other, as part of a sentence.
+/// Agents that block each other, as part of a sentence.
 fn list(names: &[String]) -> String {
     match names {
         [] => tr!("The robots").to_owned(),

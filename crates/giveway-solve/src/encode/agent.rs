@@ -29,7 +29,7 @@ use crate::{
     terrain::{Arc, Vertex},
 };
 
-/// What growing an agent added, for those who look at several agents.
+/// The nodes that growing an MDD added, for encodings over several agents.
 #[derive(Default)]
 pub(crate) struct Added {
     /// It may be at a vertex at a time when the literal is true.

@@ -41,7 +41,7 @@ pub(crate) struct BatteryCode {
 /// A charge at one charger, at any time.
 #[derive(Default)]
 struct RequiredCharge {
-    /// Nodes there that no literal of `charges` speaks of yet.
+    /// Nodes there that have no literal in `charges` yet.
     nodes: Vec<(u32, Lit)>,
     /// It charges there, one literal a node.
     charges: Vec<Lit>,

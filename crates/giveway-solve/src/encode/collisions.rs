@@ -49,14 +49,14 @@ struct SoftCollision {
     slow: BTreeMap<(Lit, Lit), Lit>,
 }
 
-/// What the agents inside the solver may collide in.
+/// Clauses against collisions of the agents inside the solver.
 #[derive(Default)]
 pub(crate) struct Collisions {
     cells: BTreeMap<(u32, Vertex), AtMostOne>,
     edges: BTreeMap<(u32, u32), Crossings>,
     /// Pairs that ignore each other, the lower number first.
     ignored: BTreeSet<(AgentId, AgentId)>,
-    /// Who may be where, where pairs ignore each other.
+    /// Agents that may be at a vertex at a time, where pairs ignore each other.
     members: BTreeMap<(u32, Vertex), Vec<(AgentId, Lit)>>,
     soft: Option<SoftCollision>,
 }

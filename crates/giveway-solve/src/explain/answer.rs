@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Reach;
 
-/// What an agent has more of than in a better plan.
+/// A count that is higher for an agent in this plan than in a better one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Excess {
     /// The agent.
@@ -21,7 +21,7 @@ pub struct Excess {
 /// One thing that would go wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct WitnessEntry {
-    /// What, where, when, who.
+    /// The broken rule, with place, time and agents.
     #[serde(flatten)]
     pub violation: Violation,
     /// The rules that were soft, where there is no plan at all.
@@ -55,7 +55,7 @@ pub enum Class {
     Waypoint,
 }
 
-/// What kind of thing a fact is, and so what leaving it out means.
+/// The kind of a fact, which tells how it is left out.
 #[derive(
     Clone,
     Copy,
@@ -159,9 +159,9 @@ impl From<Helps> for Option<bool> {
     BorshDeserialize,
 )]
 pub struct Fact {
-    /// What kind of thing it is.
+    /// The kind of fact.
     pub kind: FactKind,
-    /// Whose it is: none, one, or the two of a pair, in the instance's order.
+    /// Its agents: none, one, or the two of a pair, in the instance's order.
     pub agents: Vec<String>,
     /// Where, for a waypoint or an obstacle.
     pub cell: Option<Cell>,

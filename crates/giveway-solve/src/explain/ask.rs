@@ -29,9 +29,9 @@ pub(crate) struct Ask<'a> {
     pub(crate) instance: &'a Instance,
     /// Rules between agents that do not count.
     pub(crate) relaxed: &'a Relaxed,
-    /// What must hold beside the rules.
+    /// Conditions beside the rules.
     pub(crate) conditions: &'a [Condition],
-    /// What is minimised.
+    /// The objective.
     pub(crate) objective: &'a Objective,
     /// The most that a plan may have of some costs.
     pub(crate) caps: &'a BTreeMap<Cost, u32>,
@@ -42,10 +42,10 @@ pub(crate) struct Ask<'a> {
     pub(crate) at_least_within: u32,
 }
 
-/// What the search knows at the end.
+/// The result of a search for a variant.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
-    /// What is known. Where any plan will do, a plan is `Feasible`.
+    /// The proved status. Where any plan will do, a plan is `Feasible`.
     pub(crate) status: Status,
     /// The plan, judged.
     pub(crate) plan: Option<Plan>,

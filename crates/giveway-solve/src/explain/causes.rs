@@ -1,5 +1,5 @@
-//! What the facts of a minimal set mean for the whole instance: which of them help
-//! when they alone are left out, and further sets where none does.
+//! Tries the facts of a minimal set in the whole instance: which of them help when they alone are left out,
+//! and further sets where none does.
 //!
 //! A minimal set says nothing of the facts outside of it: an instance can have two
 //! walls between a robot and its goal, and each wall alone makes a plan impossible.
@@ -56,8 +56,8 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
         let mut next = group_mus_avoiding(refuted, &earlier, inquiry);
         let is_new = |set: &[Group]| set.iter().any(|group| !next.groups.contains(group));
         let shares = |group: &Group| group.kind() != FactKind::Task && earlier.contains(group);
-        // A first further set may share facts where none can be without them; later ones
-        // would only mix the facts of those before them.
+        // The first further set may share facts with earlier ones where no set avoids them; later
+        // sets that share facts would only mix those before them.
         let is_mixed = !core.further.is_empty() && next.groups.iter().any(shares);
         if is_mixed || !core.sets().all(is_new) {
             return;

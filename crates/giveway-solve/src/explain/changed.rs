@@ -88,7 +88,7 @@ impl ChangedWorld {
 /// in the world with that change, since the plan may know of it already.
 fn past_is_right(history: &History, plan: &Plan, at: u32) -> Result<(), Refusal> {
     let mut violations = check_history(history, plan).violations;
-    // What it lists from then on is for the world to come.
+    // Later violations concern the world to come.
     violations.retain(|violation| {
         let of_its_time = !matches!(
             violation.rule,

@@ -56,7 +56,7 @@ pub(crate) fn closest(
     (nearest.1, proved)
 }
 
-/// What one way to be as asked for gives.
+/// The result for one of the alternatives that a condition allows.
 enum BranchOutcome {
     /// A plan, and whether none is closer.
     Plan(Plan, bool),

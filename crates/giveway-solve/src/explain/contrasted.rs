@@ -26,7 +26,7 @@ use crate::{
 /// States that are looked at to improve a known plan, about.
 const NEARBY_STATES: u64 = 10_000;
 
-/// What is looked for.
+/// A search for plans that meet the contrast of a question.
 pub(crate) struct ContrastSearch<'a, 'h> {
     pub(crate) case: &'a FittingQuestion<'a>,
     /// The most that it may cost, in the order of the objective.
@@ -40,7 +40,7 @@ pub(crate) struct ContrastSearch<'a, 'h> {
 }
 
 impl ContrastSearch<'_, '_> {
-    /// What must hold, one of these: those about agents that are still there.
+    /// The alternatives of the contrast, one of which must hold: those about agents that are still there.
     fn conditions<'c>(&'c self, variant: &'c Variant) -> impl Iterator<Item = &'c Condition> {
         let conditions = self.case.conditions();
         conditions.filter(|condition| bearer(condition, &variant.instance).is_ok())

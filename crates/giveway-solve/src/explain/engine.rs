@@ -77,7 +77,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     answered(&asked, &budget, host)
 }
 
-/// What is asked, about an instance and its plan.
+/// A question about an instance and its plan.
 struct PlanQuestion<'a> {
     instance: Instance,
     /// The plan that is asked about; `None` where none was given, or the
@@ -89,7 +89,7 @@ struct PlanQuestion<'a> {
     whole: WholePlan<'a>,
 }
 
-/// What there is to say of a plan that breaks rules while the world changes.
+/// The answer for a plan that breaks rules while the world changes.
 fn broken(report: Report, objective: &Objective, budget: &Rc<Budget>) -> ExplainAnswer {
     let costs = report.costs.unwrap_or_default();
     let judged = OwnPlanReport::new(report.violations, report.costs);
@@ -201,7 +201,7 @@ fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Re
     }
 }
 
-/// Whom to tell of what becomes known.
+/// Sends each part of the answer to the host.
 struct Reporter<'a, 'h> {
     budget: &'a Rc<Budget<'h>>,
     host: &'a dyn Host,

@@ -22,10 +22,9 @@ pub struct ExplainRequest {
     /// solved first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<Plan>,
-    /// What changed while the plan ran: the question is then about what comes
-    /// from the last of these changes on, what is past taken as it is. Times in
-    /// the question are those of the whole plan. To ask why there is no way to go
-    /// on (`unsolvable`), the plan is the one that ran until then.
+    /// The changes of the world while the plan ran. The question is then about the time from the last of
+    /// these changes on, and the past is taken as it is. Times in the question are those of the whole plan.
+    /// To ask why there is no way to go on (`unsolvable`), the plan is the one that ran until then.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub changes: Option<Changes>,
     /// The time that is looked at: later changes do not count, and the plan must
@@ -45,7 +44,7 @@ pub struct ExplainRequest {
     pub limits: Limits,
 }
 
-/// What the comparison with the best other plan says.
+/// The result of the comparison with the best contrasting plan.
 #[derive(
     Clone,
     Copy,
@@ -93,11 +92,11 @@ pub enum Part {
     Verdict,
     /// The other plan closest to the one asked about.
     Closest,
-    /// What would happen.
+    /// The witness: what would happen.
     Witness,
-    /// What together makes it impossible.
+    /// The facts that rule it out.
     Core,
-    /// What would help.
+    /// The edits that would help.
     Repairs,
 }
 
@@ -123,8 +122,7 @@ pub struct ExplainAnswer {
     pub verdict: Verdict,
     /// The costs of the other plan.
     pub costs: Option<Costs>,
-    /// What the other plan costs more than the one asked about, for each cost
-    /// of the objective.
+    /// The difference of the other plan to the plan asked about, for each cost of the objective.
     #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
     /// How far the verdict reaches.
@@ -134,11 +132,11 @@ pub struct ExplainAnswer {
     pub alternative: Option<Plan>,
     /// Whether it is proved that no other best plan is closer.
     pub closest: bool,
-    /// What would happen.
+    /// The witness: what would happen.
     pub witness: Vec<WitnessEntry>,
-    /// What together makes it impossible, or so costly.
+    /// The facts that together make it impossible, or so costly.
     pub core: Option<Core>,
-    /// What would help, the best first.
+    /// The edits that would help, the best first.
     pub repairs: Vec<Repair>,
     /// How many more repairs help than are told.
     pub further_repairs: u32,

@@ -21,7 +21,7 @@ use super::{
 use crate::search::Proved;
 use shrinking::Shrinking;
 
-/// What was found out about a variant.
+/// The result of trying a variant.
 #[derive(Clone, Debug)]
 pub(crate) enum Tried {
     /// There is no plan: how far that reaches, and of which agents it is known.
@@ -33,8 +33,8 @@ pub(crate) enum Tried {
 }
 
 impl Tried {
-    /// The same, where "no plan" reaches as far as the claim that it is to bear out; else
-    /// nothing is known. A deadline that a person set is a rule of the question itself.
+    /// The same result, but "no plan" becomes unknown where it reaches less far than the claim that it
+    /// supports. A deadline that a person set is part of the question itself.
     pub(crate) fn reaching(self, variant: &Variant, claim: Proved) -> Self {
         match self {
             Self::None { reach, .. } if variant.within.is_none() && !reach.covers(claim) => {

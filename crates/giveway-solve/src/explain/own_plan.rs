@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{Status, budget::Budget, problem::Relaxed};
 
-/// What is known of a plan.
+/// The findings about a person's own plan.
 pub(crate) struct OwnPlanReport {
     pub(crate) violations: Vec<Violation>,
     /// Its costs, where every agent has a path.
@@ -25,14 +25,14 @@ pub(crate) struct OwnPlanReport {
     pub(crate) optimal: Option<bool>,
     /// A better plan and its costs.
     pub(crate) better: Option<(Plan, Costs)>,
-    /// What it has more of than that plan, agent by agent.
+    /// The counts that are higher in it than in the better plan, agent by agent.
     pub(crate) excess: Vec<Excess>,
-    /// The search for the best plan; `None` where the plan is none.
+    /// The search for the best plan; `None` where the person's plan breaks a rule.
     pub(crate) found: Option<Found>,
 }
 
 impl OwnPlanReport {
-    /// What the judge says, and nothing of other plans yet.
+    /// The verdict of the judge, without other plans yet.
     pub(crate) const fn new(violations: Vec<Violation>, costs: Option<Costs>) -> Self {
         Self {
             violations,
@@ -86,7 +86,7 @@ pub(crate) fn judge(
     judged
 }
 
-/// What each agent has more of in one plan than in another.
+/// The counts that are higher for each agent in one plan than in another.
 fn excess(instance: &Instance, plan: &Plan, other: &Plan) -> Vec<Excess> {
     let mut excess = Vec::new();
     for agent in instance.agents() {

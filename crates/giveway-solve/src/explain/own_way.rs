@@ -1,5 +1,5 @@
-//! What would happen if an agent did as is asked for, and all others as in the
-//! plan: its own best walk, and of these one that breaks the fewest rules.
+//! The witness of an agent's own way: it does as asked, all others do as in the plan. Of its best walks, one
+//! that breaks the fewest rules.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -21,8 +21,8 @@ use crate::{
     walk::to_plan,
 };
 
-/// What would happen, and to whom; `None` where the agent alone cannot do what
-/// is asked for, or nobody is asked about.
+/// The witness and its agent; `None` where the agent alone cannot do what is asked for, or the question has
+/// no agent.
 pub(crate) fn witness(
     case: &FittingQuestion,
     budget: &Rc<Budget>,

@@ -26,7 +26,7 @@ use crate::{Limits, Status, budget::Budget, search::Proved};
 const DERIVED: u64 = 15_000;
 const CLAUSES: u64 = 1_200_000;
 const JOINT_STEPS: u64 = 600_000;
-/// What one part may take of the seconds that are left; it is the same of the work.
+/// The share of the remaining seconds, and of the remaining work, for one part.
 const SHARE: f64 = 0.4;
 
 /// So many times the work of another part may go into repairs: they are a person's next
@@ -53,7 +53,7 @@ fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
     )
 }
 
-/// Who hears of the answer when a part of it is there.
+/// Called when a part of the answer is there.
 pub(crate) type Tell<'a> = &'a mut dyn FnMut(&mut ExplainAnswer, Part);
 
 /// Why, where the verdict is known.
@@ -276,7 +276,7 @@ fn tell_no_plan(answer: &mut ExplainAnswer, whole: WholePlan, part: Part, tell: 
     tell(answer, part);
 }
 
-/// What there is to say of a person's own plan.
+/// The findings about a person's own plan.
 pub(crate) fn of_own_plan(
     instance: &Instance,
     plan: &Plan,

@@ -1,4 +1,4 @@
-//! What would help: edits after which there is a plan, each tried.
+//! Repairs: edits after which there is a plan, each tried.
 //!
 //! An edit can help only if it weakens a fact of every set of facts that excludes a
 //! plan; so single edits come from the first set. A pair must weaken every set, too: its
@@ -56,7 +56,7 @@ pub(crate) struct Unsolved<'a> {
     pub(crate) cores: Vec<Vec<Group>>,
 }
 
-/// What would help.
+/// The edits that would help.
 pub(crate) struct Repairs {
     /// The first of them, the best of each kind before all others.
     pub(crate) first: Vec<Repair>,

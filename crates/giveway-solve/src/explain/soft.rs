@@ -112,7 +112,7 @@ struct SoftRules<'a, 'p, 'h> {
     best: Option<(Lowered, Vec<Walk>)>,
 }
 
-/// What is lowered, one after the other.
+/// The counts that are lowered, one after the other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Lowered {
     /// How many rules are broken.

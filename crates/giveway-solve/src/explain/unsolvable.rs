@@ -112,7 +112,7 @@ impl Solver for AnyPlan<'_, '_> {
     }
 }
 
-/// What a search for any plan tells of a variant.
+/// The result of a search for any plan of a variant.
 pub(crate) fn tried(found: Found) -> Tried {
     match (found.plan, found.reach) {
         (Some(plan), _) => Tried::Plan(plan),
@@ -167,7 +167,7 @@ pub(crate) fn witness(
         if let Some(broken) = broken {
             settled &= broken.fewest;
             let mut found = violations_of(instance, class, &broken.plan, any_plan.whole);
-            // What was counted and what the judge says must be the same.
+            // The encoding and the judge must count the same.
             if found.len() != broken.count {
                 found.clear();
             }

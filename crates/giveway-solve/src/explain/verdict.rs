@@ -32,8 +32,8 @@ pub(crate) struct FittingQuestion<'a> {
     pub(crate) optimal: Option<Proved>,
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Proved>,
-    /// What must hold in the other plan: one of these; an error where no agent could
-    /// do it.
+    /// The alternatives of the contrast, one of which must hold in the other plan; an error where no agent
+    /// could do it.
     pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
@@ -61,7 +61,7 @@ impl<'a> FittingQuestion<'a> {
             shown: None,
             conditions: condition.map_or(Ok(Vec::new()), |it| ways(it, instance)),
             whole,
-            // What is at hand is never beyond what is looked at.
+            // The horizon always includes the plan at hand.
             within: within.map(|within| within.max(costs.makespan)),
         }
     }
@@ -70,7 +70,7 @@ impl<'a> FittingQuestion<'a> {
         self.instance.objective()
     }
 
-    /// What must hold in the other plan: one of these.
+    /// The alternatives of the contrast, one of which must hold in the other plan.
     pub(crate) fn conditions(&self) -> impl Iterator<Item = &Condition> {
         self.conditions.iter().flatten()
     }
@@ -96,7 +96,7 @@ pub(crate) struct Compared {
     pub(crate) verdict: Verdict,
     /// An other plan and its costs, the best where that is proved.
     pub(crate) other: Option<(Plan, Costs)>,
-    /// What it costs more, by the costs of the objective.
+    /// The difference of each cost of the objective.
     pub(crate) deltas: BTreeMap<Cost, i64>,
     /// How far the verdict was proved; `None` where nothing was.
     pub(crate) reach: Option<Proved>,
@@ -125,7 +125,7 @@ pub(crate) fn compare(case: &FittingQuestion, budget: &Rc<Budget>) -> Compared {
             deltas.insert(cost, more);
         }
     }
-    // That a plan at hand costs no more needs no proof.
+    // No proof is needed where a plan at hand costs no more.
     let at_hand = case.optimal.filter(|_| verdict == Verdict::Needless);
     let reach = match (proved, at_hand) {
         (Some(proved), Some(at_hand)) => Some(proved.or(at_hand)),
@@ -179,8 +179,8 @@ fn best_with(case: &FittingQuestion, budget: &Rc<Budget>) -> Found {
     })
 }
 
-/// What two searches for the best of one kind each tell of the best of both.
-/// The second one was for something better than the first.
+/// Joins two searches, each for the best plan of one alternative. The second one looked for something better
+/// than the first.
 fn join(first: Found, second: Found) -> Found {
     let proved = settled(first.status) && settled(second.status);
     let both = first.reach.zip(second.reach);

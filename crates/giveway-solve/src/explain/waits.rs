@@ -1,5 +1,5 @@
-//! What would happen without a wait: the asked wait steps taken out of the
-//! plan, everything later of the agent earlier, all others as they are.
+//! The witness of a question about a wait: the wait is taken out of the plan, the agent does everything later
+//! one step earlier, all others stay as they are.
 
 use giveway_model::{Cell, Instance, Path, Plan, Question, check::Violation};
 

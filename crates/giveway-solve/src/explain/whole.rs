@@ -141,7 +141,7 @@ impl WholePlan<'_> {
             }
             (answer.alternative, answer.costs) = (Some(snapshot.whole(&rest)), costs);
         } else if let Some(costs) = answer.costs {
-            // Those of the plan asked about.
+            // The costs of the plan asked about.
             answer.costs = asked.or(Some(costs));
         }
         if let (Some(costs), Some(asked)) = (answer.costs, asked)

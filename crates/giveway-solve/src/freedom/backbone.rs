@@ -1,7 +1,7 @@
-//! What every best plan has, and what only this one has.
+//! Computes the backbone: visits that every best plan has, and visits that only this one has.
 //!
-//! What a best plan that was found lacks is not in all of them. Of the rest one call
-//! asks for a plan that lacks *any*: where there is none, all of it is proved at once.
+//! A visit that a best plan lacks is not in the backbone. For the rest, one call asks for a plan that lacks
+//! *any* of them: where there is none, all of them are proved at once.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ struct Item {
     only: Known,
 }
 
-/// What it has at a time.
+/// An entry of the agent's path.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum VisitSlot {
     Visit(Place),
@@ -108,7 +108,7 @@ impl Backbone {
         Ok(())
     }
 
-    /// What the plans that were found show.
+    /// Takes in the plans that were found.
     pub(super) fn learn(&mut self, every: &Every) {
         for item in &mut self.items {
             for plan in every.others() {

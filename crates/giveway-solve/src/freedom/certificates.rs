@@ -1,8 +1,8 @@
 //! Certificates of what is claimed of all best plans, each by itself.
 //!
-//! What every best plan has is the contrast of a question turned round: no plan as good
-//! is otherwise. "Must it pass here?" is answered where no best plan meets "it is never
-//! here", so that each such claim can be shown by a proof of a plain formula.
+//! A visit of the backbone is the contrast of a question turned round: no plan as good is without it. "Must
+//! it pass here?" is answered where no best plan meets "it is never here", so each such claim can be shown by
+//! a proof of a plain formula.
 
 use std::collections::BTreeMap;
 
@@ -52,7 +52,7 @@ impl FreedomAnswer {
         visits.chain(closed)
     }
 
-    /// What every best plan has, of some visits of some agents.
+    /// The claims of the backbone, for some visits of some agents.
     fn of_visits<'a>(
         &'a self,
         instance: &'a Instance,
@@ -81,7 +81,7 @@ impl FreedomAnswer {
         })
     }
 
-    /// That no plan is better than this one, or that there is none.
+    /// The claim that no plan is better than this one, or that there is none.
     fn of_best(&self, instance: &Instance) -> CertifyRequest {
         CertifyRequest {
             scene: instance.to_scene(),
@@ -94,7 +94,7 @@ impl FreedomAnswer {
         }
     }
 
-    /// That no plan as good meets a condition.
+    /// The claim that no plan as good meets a condition.
     fn of_backbone(&self, instance: &Instance, condition: Condition) -> CertifyRequest {
         CertifyRequest {
             scene: instance.to_scene(),
@@ -110,9 +110,9 @@ impl FreedomAnswer {
         }
     }
 
-    /// That without a cell no plan costs less than is said, or there is none. Nothing
-    /// where nothing is lost, as the plan of the whole scene shows it, or where
-    /// somebody needs the very cell, so that no scene is left.
+    /// The claim that without a cell no plan costs less than is said, or there is none. `None` where nothing
+    /// is lost, as the plan of the whole scene shows it, or where an agent needs this very cell, so that no
+    /// scene is left.
     fn of_closed(&self, instance: &Instance, it: &CriticalCell) -> Option<Certificate> {
         let (bounds, impossible, reach) = match &it.closed {
             Closed::Optimal { costs, reach, .. } if !it.closed.is_harmless() => {
@@ -148,8 +148,8 @@ impl FreedomAnswer {
     }
 }
 
-/// What every best plan has, so that no best plan is without it. Where an agent is in
-/// transit follows from where it is before and after; where it begins is no choice.
+/// The acts that no best plan avoids. An agent's transit follows from its cells before and after; its start
+/// is no choice.
 fn excluded(visit: &Visit) -> Vec<(&'static str, Act)> {
     let mut excluded = Vec::new();
     let Some(at) = visit.cell else {

@@ -58,7 +58,7 @@ impl PlanCounter {
         self.counted != CountStep::Open
     }
 
-    /// What is known.
+    /// The number of best plans, as far as it is known.
     pub(super) fn told(&self, every: &Every) -> PlanCount {
         self.counted.of(every.found().len())
     }

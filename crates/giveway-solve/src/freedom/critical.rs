@@ -1,4 +1,4 @@
-//! What closing each free cell would cost.
+//! Computes the cost of closing each free cell.
 //!
 //! Nothing where some best plan leaves the cell alone. One call asks for a plan that
 //! leaves *any* of the other cells alone; where there is none, each of them costs
@@ -31,7 +31,7 @@ const ROUNDS: [Option<u64>; 3] = [Some(3_000), Some(30_000), None];
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CellNeeded(());
 
-/// What closing cells would cost, as far as it is known.
+/// The costs of closing cells, as far as they are known.
 pub(super) struct Critical<'t, 'h> {
     task: &'t SolveTask<'h>,
     scene: &'t Scene,
@@ -73,7 +73,7 @@ impl<'t, 'h> Critical<'t, 'h> {
         }
     }
 
-    /// What is known.
+    /// The cells with their costs, as far as they are known.
     pub(super) fn told(&self) -> Vec<CriticalCell> {
         self.cells.clone()
     }
@@ -215,7 +215,7 @@ impl SolveTask<'_> {
     }
 }
 
-/// Who needs the very cell, so that there is no scene without it.
+/// The agent's need for this very cell, so that there is no scene without it.
 fn need(instance: &Instance, cell: Cell) -> Option<(Need, CellNeeded)> {
     let any = |needs: &dyn Fn(&giveway_model::Agent) -> bool| instance.agents().iter().any(needs);
     let needed = if any(&|agent| agent.start == cell) {

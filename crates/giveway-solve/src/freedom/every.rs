@@ -16,8 +16,7 @@ pub(super) struct Every<'a, 'h> {
     /// The costs that all of them have, of the costs that count.
     best: Vec<u32>,
     pub(super) formula: BestPlans<'h>,
-    /// Those that were found, each passed by the judge; first the plan that is asked
-    /// about.
+    /// Best plans that were found, each passed by the judge; first the plan that is asked about.
     found: Vec<Vec<Way>>,
     known: BTreeSet<Vec<Way>>,
 }

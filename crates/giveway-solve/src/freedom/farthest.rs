@@ -73,7 +73,7 @@ impl Distance {
         Ok(())
     }
 
-    /// What is known.
+    /// The farthest plan, as far as it is known.
     pub(super) fn told(&self, every: &Every) -> Farthest {
         match farthest(every) {
             Some((ways, differs)) => Farthest::Found {

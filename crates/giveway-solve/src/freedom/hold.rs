@@ -8,7 +8,7 @@ use giveway_model::{Instance, Objective, Plan, check::check};
 use super::Hold;
 use crate::budget::{Budget, Stop};
 
-/// What the agents' holds are reckoned from.
+/// The plan in which agents are held up.
 pub(super) struct Holding<'a> {
     pub(super) instance: &'a Instance,
     pub(super) objective: &'a Objective,

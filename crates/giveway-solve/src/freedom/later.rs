@@ -38,7 +38,7 @@ impl Latest {
         Ok(())
     }
 
-    /// What is known, agent by agent.
+    /// The later arrivals, agent by agent, as far as they are known.
     pub(super) fn told(&self, every: &Every) -> Vec<Later> {
         let each = every.own().iter().zip(&self.proved).enumerate();
         each.map(|(agent, (way, &proved))| {

@@ -1,4 +1,4 @@
-//! What all best plans share, and what is free to choose.
+//! What all best plans share (the backbone), and what is free to choose.
 
 mod answer;
 mod backbone;

@@ -1,4 +1,4 @@
-//! What is asked of all best plans.
+//! The request about all best plans.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, format::from_object};
@@ -22,13 +22,13 @@ use crate::Limits;
 )]
 #[serde(rename_all = "kebab-case")]
 pub enum FreedomPart {
-    /// What every best plan has, and what only this one has.
+    /// The backbone: visits that every best plan has, and visits that only this one has.
     Backbone,
     /// How late each agent could be.
     Slack,
     /// How many best plans there are, and the ways that agents can choose from.
     Plans,
-    /// What closing each free cell would cost.
+    /// The cost of closing each free cell.
     Critical,
     /// Another best plan, as different from this one as can be.
     Farthest,

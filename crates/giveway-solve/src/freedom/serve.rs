@@ -58,7 +58,7 @@ fn given(instance: &Instance, request: &FreedomRequest) -> Result<Option<Plan>, 
     Ok(Some(plan))
 }
 
-/// What is known when the search for the best plan has ended.
+/// The answer when the search for the best plan has ended.
 fn begun(task: &SolveTask, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
     let best = &solved.answer;
     let vector = |costs: &Costs| costs.vector(&task.objective);

@@ -22,7 +22,7 @@ const MOST_STEPS: usize = 20_000;
 /// A step between two vertices, begun at a time.
 type Taken = (u32, u32, u32);
 
-/// What is known of one agent.
+/// The ways of one agent.
 struct Choice {
     ways: BTreeSet<Way>,
     steps: BTreeSet<Taken>,
@@ -31,7 +31,7 @@ struct Choice {
     all: Known,
 }
 
-/// What is known of all agents.
+/// The ways of all agents.
 pub(super) struct Choices {
     agents: Vec<Choice>,
     /// Plans that were looked at.
@@ -82,7 +82,7 @@ impl Choices {
         Ok(())
     }
 
-    /// What is known, by the agents' names.
+    /// The ways by the agents' names, as far as they are known.
     pub(super) fn told(&self, every: &Every) -> BTreeMap<String, Ways> {
         let cell = |v| every.problem.terrain.cell(v);
         let step = |&(time, from, to): &Taken| Step {
@@ -102,7 +102,7 @@ impl Choices {
         each.collect()
     }
 
-    /// What the plans show that were found since.
+    /// Takes in the plans that were found since.
     pub(super) fn learn(&mut self, every: &Every) {
         for plan in every.found().iter().skip(self.seen) {
             for (choice, way) in self.agents.iter_mut().zip(plan) {

@@ -1,4 +1,4 @@
-//! What all best plans share, in sentences: one text for the page and the command.
+//! The answer about all best plans in sentences: one text for the page and the command.
 
 use giveway_model::words::{grouped, name, value, values};
 use giveway_model::{Cost, Objective, tr};
@@ -10,7 +10,7 @@ use super::{
 use crate::Status;
 use crate::words::Headline;
 
-/// What is known of the plan in one sentence, with the number of best plans.
+/// The status of the plan in one sentence, with the number of best plans.
 pub fn headline(answer: &FreedomAnswer) -> Headline {
     let say = |word: &str, rest: String| Headline {
         word: word.to_owned(),
@@ -45,7 +45,7 @@ pub fn headline(answer: &FreedomAnswer) -> Headline {
     }
 }
 
-/// That the plan is not the one that was handed in, where it is not.
+/// The remark that the plan is not the one that was handed in, where it is not.
 pub fn about(answer: &FreedomAnswer) -> Option<&'static str> {
     let better = answer.about == About::Better && answer.status == Status::Optimal;
     better.then_some(tr!(
@@ -165,7 +165,7 @@ pub fn later(slack: &Slack) -> String {
     }
 }
 
-/// What closing a cell would do: `Close (5, 2): makespan 10, not 8`.
+/// The cost of closing a cell: `Close (5, 2): makespan 10, not 8`.
 pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
     let cell = it.cell;
     match &it.closed {
@@ -208,8 +208,8 @@ pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
     }
 }
 
-/// What is written on a critical cell: `+2` for the first cost, `sum +2` for another,
-/// `no plan`; nothing where closing it costs nothing, or somebody needs the very cell.
+/// The mark on a critical cell: `+2` for the first cost, `sum +2` for another, `no plan`; none where closing
+/// it costs nothing, or an agent needs this very cell.
 pub fn mark(it: &CriticalCell, objective: &Objective) -> Option<String> {
     match &it.closed {
         Closed::Impossible { needed: None, .. } => Some(tr!("no plan").to_owned()),

@@ -1,4 +1,4 @@
-//! What a condition asks of one agent, as part of its task.
+//! Imposes a condition on one agent, as part of its task.
 
 use giveway_model::{
     Cell, Condition, Instance,
@@ -109,7 +109,7 @@ fn forbid_rest(task: &mut Task, v: Vertex, times: Times) {
 }
 
 fn forbid(task: &mut Task, terrain: &Terrain, act: Kind, times: Times) {
-    // Nobody can be in an obstacle, nor wait or charge there.
+    // No agent can be in an obstacle, nor wait or charge there.
     let vertex = |cell: Option<Cell>| match cell {
         Some(cell) => terrain.vertex(cell).map(Some),
         None => Some(None),

@@ -20,7 +20,7 @@ pub(super) enum Single {
         battery: u32,
         /// The time, as far as conditions on the agent look at it.
         clock: u32,
-        /// What conditions on the agent count.
+        /// The packed counters of the conditions on the agent.
         count: u32,
     },
     /// Arrived this very time step, under `vanish`: it still holds this vertex.

@@ -1,10 +1,10 @@
-//! What happens to one agent in a step, and what conditions on it count.
+//! The events of one agent's step, and the counters of the conditions on it.
 
 use giveway_model::Cost;
 
 use crate::single::{Part, Place, Required, Task};
 
-/// What happens to one agent in a step.
+/// The events of one agent's step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
     pub(super) from: Place,
@@ -18,7 +18,7 @@ impl Event {
         matches!((self.from, self.to), (Place::At(u), Place::At(v)) if u == v)
     }
 
-    /// What the step adds to a cost of the agent. (A makespan is of all agents.)
+    /// The share of the step in a cost of the agent. (A makespan is of all agents.)
     pub(super) fn costs(self, cost: Cost) -> u32 {
         let counts = match cost {
             Cost::Charges => self.charged,
@@ -31,7 +31,7 @@ impl Event {
     }
 }
 
-/// What the conditions on an agent count, packed into one number, digit by digit.
+/// The counters of the conditions on an agent, packed into one number, digit by digit.
 #[derive(Clone, Copy)]
 struct Counts {
     before: u32,
@@ -84,7 +84,7 @@ pub(super) fn can_count(task: &Task) -> bool {
     sizes(task).try_fold(1, u32::checked_mul).is_some()
 }
 
-/// What the conditions on an agent count at time 0: waits that began before.
+/// The counters at time 0: waits that began before.
 pub(super) fn first_count(task: &Task) -> u32 {
     let mut counts = Counts::of(0);
     for part in task.conditions.parts() {
@@ -98,8 +98,7 @@ pub(super) fn first_count(task: &Task) -> u32 {
     counts.after
 }
 
-/// What the conditions on an agent count after a step, and its mask; `None` where
-/// they count too much.
+/// The counters after a step, and the mask; `None` where a condition is broken.
 pub(super) fn follow(
     task: &Task,
     count: u32,

@@ -63,7 +63,7 @@ fn may_be_exhausted(problem: &Problem, agents: &[AgentId]) -> bool {
     few && !agents.is_empty() && agents.iter().all(counted)
 }
 
-/// What exhausting the states has shown.
+/// How exhausting the joint states ended.
 enum Ended {
     /// The best plan at any horizon: its costs, in the order of the objective, and its states
     /// over time.
@@ -74,7 +74,7 @@ enum Ended {
     TooMany,
 }
 
-/// What is known of some agents among themselves, at any horizon.
+/// The result of exhausting the joint states of some agents, at any horizon.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Exhaustion<T, P = AllStates> {
     /// The best plan, or its cost.
@@ -237,7 +237,7 @@ struct Joint<'a> {
 }
 
 impl Joint<'_> {
-    /// What an agent's step adds to the costs.
+    /// The share of an agent's step in the costs.
     fn costs(&self, event: Event) -> Tally {
         self.counted.tally(|cost| event.costs(cost))
     }

@@ -41,8 +41,8 @@ struct Node {
     before: Option<NodeId>,
 }
 
-/// What a plan by way of a node costs at the least, the steps that agents need from there, the
-/// node, and what was paid for it then.
+/// An entry of the open list: the least costs of a plan through the node, the steps that agents need from
+/// there, the node, and its costs so far at that time.
 type Open = Reverse<(Tally, u32, NodeId, Tally)>;
 
 /// A search that is under way.
@@ -140,7 +140,7 @@ impl Joint<'_> {
         joint
     }
 
-    /// What an agent pays not to have arrived at time 0.
+    /// The costs of an agent that has not arrived at time 0.
     fn going_on(&self, task: &Task, state: Single) -> Tally {
         if state.has_arrived() {
             return Tally::default();
@@ -219,7 +219,7 @@ impl Search<'_> {
         let steps: Vec<Rc<[AgentStep]>> = own.map(|(states, &id)| states.steps(id)).collect();
         let joint = self.joint;
         let before = (!joint.problem.precedences.is_empty()).then(|| self.singles(&numbers));
-        // Somebody has not arrived yet.
+        // An agent has not arrived yet.
         let time = joint
             .counted
             .tally(|cost| u32::from(cost == Cost::Makespan));

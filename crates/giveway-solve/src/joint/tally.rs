@@ -44,8 +44,8 @@ impl TalliedCosts {
         tally
     }
 
-    /// What agents still pay together, from what each of them does: the makespan is that of
-    /// the last, the others are sums.
+    /// The costs to go of all agents from those of each: the makespan is that of the last, the others are
+    /// sums.
     pub(super) fn join(&self, one: Tally, other: Tally) -> Tally {
         let mut all = one.and(other);
         for (i, &cost) in self.costs.iter().enumerate() {

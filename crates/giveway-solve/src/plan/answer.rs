@@ -1,4 +1,4 @@
-//! What a planner of the textbook came to.
+//! The answer of a planner of the textbook.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::{Reach, Reason, reach::within_alone};
 pub struct PlanAnswer {
     /// The format's version.
     pub giveway: Version,
-    /// Who planned.
+    /// The planner.
     pub planner: Planner,
     /// The objective.
     pub objective: Objective,
@@ -54,7 +54,7 @@ pub enum PlanEnd {
         tried: u32,
         /// The makespan, in steps, up to which they were tried.
         within: u32,
-        /// Who got stuck in the last.
+        /// The agent that got stuck in the last order.
         stuck: StuckAgent,
     },
     /// Early. There may be a plan.
@@ -74,7 +74,7 @@ pub enum PlanEnd {
     },
     /// An agent cannot do its task even alone, whatever the horizon.
     Alone {
-        /// Who.
+        /// The agent.
         agent: String,
     },
 }
@@ -82,9 +82,9 @@ pub enum PlanEnd {
 /// An agent that has no way around those planned before it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct StuckAgent {
-    /// Who.
+    /// The agent.
     pub agent: String,
-    /// Whom it meets on the best way of its own that meets the fewest.
+    /// Agents on its least-conflict optimal path.
     pub around: Vec<String>,
 }
 
@@ -116,10 +116,10 @@ pub enum Lack {
     SlowZones,
     /// Two agents with one goal.
     SharedGoals {
-        /// Who they are.
+        /// The two agents.
         agents: [String; 2],
     },
-    /// What a question asks beside the instance.
+    /// The conditions of a question beside the instance.
     Questions,
     /// This cost as the first of the objective.
     Cost {

@@ -1,4 +1,4 @@
-//! What a planner of the textbook is asked.
+//! The request to a planner of the textbook.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Scene, format::from_object};

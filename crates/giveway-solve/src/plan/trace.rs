@@ -13,12 +13,12 @@ use super::StuckAgent;
 pub struct PlanTrace {
     /// The format's version.
     pub giveway: Version,
-    /// What happened.
+    /// The steps of the planner.
     #[serde(flatten)]
     pub went: Went,
 }
 
-/// What happened, by planner.
+/// The steps, by planner.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "planner", rename_all = "kebab-case")]
 pub enum Went {
@@ -34,9 +34,9 @@ pub enum Went {
         /// How many more there were.
         left_out: u64,
     },
-    /// What happened in the steps of PIBT.
+    /// The time steps of PIBT.
     Pibt {
-        /// Who inherited whose priority, the first of them.
+        /// The first inheritances of priority.
         inherited: Vec<Inherited>,
     },
     /// The search of LaCAM.
@@ -58,9 +58,9 @@ pub struct Inherited {
     /// configuration's.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time: Option<u32>,
-    /// Who lends it.
+    /// The agent that lends it.
     pub from: String,
-    /// Who inherits it.
+    /// The agent that inherits it.
     pub to: String,
     /// Where the heir stands, and the lender wants to be.
     pub cell: Cell,
@@ -73,7 +73,7 @@ pub struct LacamEvent {
     pub from: u32,
     /// Where the first agents of its order had to go.
     pub constraints: Vec<Cell>,
-    /// Who inherited whose priority.
+    /// The inheritances of priority.
     pub inherited: Vec<Inherited>,
     /// The number of the configuration that it made; `null` where it made none.
     pub made: Option<u32>,
@@ -97,7 +97,7 @@ pub struct LnsImprovement {
 pub struct OrderTried {
     /// The agents.
     pub order: Vec<String>,
-    /// Those that got a path, in this order.
+    /// The agents with a path, in this order.
     pub planned: Vec<PlannedAgent>,
     /// The one that did not; `null` where the order works.
     pub stuck: Option<StuckAgent>,
@@ -118,7 +118,7 @@ const fn is_false(value: &bool) -> bool {
 /// An agent that got a path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct PlannedAgent {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// When it arrives.
     pub arrival: u32,
@@ -138,7 +138,7 @@ pub struct TreeNode {
     pub id: u64,
     /// The number of its parent; `null` for the root.
     pub parent: Option<u64>,
-    /// What it asks beside what its parent does.
+    /// Its own constraint, beside those of its ancestors.
     pub constraint: Option<ToldConstraint>,
     /// The cost of its paths: no plan that keeps its constraints costs less. `null`
     /// where an agent cannot keep them.
@@ -150,12 +150,12 @@ pub struct TreeNode {
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     #[borsh(deserialize_with = "read_map")]
     pub paths: BTreeMap<String, Path>,
-    /// What became of it.
+    /// Its fate.
     #[serde(flatten)]
     pub fate: NodeFate,
 }
 
-/// What became of a node.
+/// The fate of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "fate", rename_all = "kebab-case")]
 pub enum NodeFate {

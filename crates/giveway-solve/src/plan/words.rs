@@ -1,4 +1,4 @@
-//! What a planner came to, in sentences: one text for the page and the command.
+//! The answer of a planner in sentences: one text for the page and the command.
 
 mod order;
 mod tree;
@@ -85,8 +85,7 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
 const NONE_YET: Later =
     tr_later!("behind a sentence" => " There may be a plan; none was found yet.");
 
-/// What else is to be said, a sentence each: how far a claim reaches, what is
-/// proved, what may help.
+/// Further remarks, a sentence each: how far a claim reaches, what is proved, what may help.
 pub fn notes(answer: &PlanAnswer) -> Vec<String> {
     let first = answer.objective.costs().first();
     let mut notes = Vec::new();
@@ -131,7 +130,7 @@ fn is_stuck(stuck: &StuckAgent) -> String {
     }
 }
 
-/// What follows the name of the planner.
+/// The text after the name of the planner.
 fn cannot(lack: &Lack) -> String {
     match lack {
         Lack::NoGoal { agent } => tr!("needs a goal for each robot, and {agent} has none", agent),

@@ -1,4 +1,4 @@
-//! What this folder asks of a SAT solver.
+//! The interface of a SAT solver.
 
 use std::rc::Rc;
 

@@ -46,8 +46,7 @@ impl fmt::Debug for Lit {
     }
 }
 
-/// What an encoding writes to: it makes variables and adds clauses, and never
-/// sees a solver.
+/// The sink of an encoding: it makes variables and takes clauses. An encoding never sees a solver.
 pub(crate) trait Clauses {
     /// A new variable, as its positive literal.
     fn fresh(&mut self) -> Lit;

@@ -53,7 +53,7 @@ impl Freed {
     }
 }
 
-/// What takes the free places of one solver.
+/// Fills the free placeholders of one solver.
 ///
 /// A placeholder is mentioned once, in a clause that is true: varisat drops the clause
 /// and keeps the variable, as it never asks whether one has left its last clause. A
@@ -79,7 +79,7 @@ impl Placeholders {
         }
     }
 
-    /// What happened to places, in order.
+    /// The events of placeholders, in order.
     #[cfg(test)]
     pub(super) fn told(&self) -> Vec<Told> {
         self.freed.told.borrow().clone()

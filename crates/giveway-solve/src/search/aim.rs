@@ -1,4 +1,4 @@
-//! What a search is asked for, and what it answers.
+//! The input and the result of a search.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use giveway_model::{Cost, Costs};
 use super::{for_ever::Proved, horizon::Horizon, incumbent::OnBetter};
 use crate::{budget::Stop, walk::Walk};
 
-/// What a plan must keep to, beside the rules.
+/// Bounds on a plan beside the rules.
 #[derive(Clone, Debug)]
 pub(crate) struct Bounded {
     /// The makespan beyond which nothing is looked for.
@@ -24,7 +24,7 @@ impl Bounded {
     }
 }
 
-/// What is looked for.
+/// Which plans a search looks for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Aim {
     /// The best plan, and the proof that it is.
@@ -46,8 +46,7 @@ impl Aim {
         }
     }
 
-    /// Whether nothing can be as good as is looked for, where `least` are the
-    /// optima of the first costs.
+    /// Whether no plan can meet the aim, where `least` are the optima of the first costs.
     pub(super) fn is_missed(&self, least: &[u32]) -> bool {
         match self {
             Self::AtMost(most) => most.get(..least.len()).is_some_and(|most| most < least),
@@ -56,7 +55,7 @@ impl Aim {
     }
 }
 
-/// What is known at the end.
+/// The result of a search.
 #[derive(Debug)]
 pub(crate) struct Verdict {
     /// The best plan, if there is one.
@@ -72,7 +71,7 @@ pub(crate) struct Verdict {
     pub(crate) clash: Vec<usize>,
 }
 
-/// What a search for the best plan begins with, and whom it tells.
+/// The start of a search for the best plan, and its progress reports.
 pub(crate) struct Contact<'a> {
     /// The walks of a plan that is known already.
     pub(crate) start: Option<&'a [Walk]>,

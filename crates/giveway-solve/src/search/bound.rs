@@ -21,7 +21,7 @@ pub(crate) struct Optimum {
 }
 
 impl Bound {
-    /// What agents need alone.
+    /// The bound from the least that agents need alone.
     pub(super) const fn new(cost: Cost, alone: LoneBound) -> Self {
         Self {
             cost,
@@ -29,7 +29,7 @@ impl Bound {
         }
     }
 
-    /// What is known of its cost in another way.
+    /// Takes in a bound that was proved in another way.
     pub(super) fn take_known(&mut self, known: LeastForEver) {
         self.at_least = self.at_least.max(known.least);
     }

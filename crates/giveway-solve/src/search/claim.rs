@@ -1,4 +1,4 @@
-//! What a lexicographic search has proved, and what it is about to prove.
+//! The claim of a lexicographic search: proved so far, and under way.
 //!
 //! The claim grows cost by cost. While it is *open*, any plan will do; `begin` makes it
 //! *proving*, which is the only state in which plans may be excluded for being worse than

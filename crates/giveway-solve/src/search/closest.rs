@@ -30,7 +30,7 @@ use crate::{
 use agents::AsBefore;
 use clauses::WrittenClauses;
 
-/// What is to be as small as can be.
+/// The measure of closeness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Extent {
     /// The number of agents that do something else.
@@ -39,8 +39,7 @@ pub(crate) enum Extent {
     Entries,
 }
 
-/// What one agent does in the given plan; its walk is empty where it is not
-/// there.
+/// The walk of one agent in the given plan; empty where the agent is not in it.
 #[derive(Clone, Debug)]
 pub(crate) struct GivenWalk {
     pub(crate) walk: Walk,
@@ -158,8 +157,8 @@ impl Near<'_, '_> {
         Some(for_ever::none_closer(&self.search, shown))
     }
 
-    /// Whether the clauses know every plan: where agents vanish they know none
-    /// in which one comes to its end, leaves it and comes back.
+    /// Whether the clauses represent every plan. Where agents vanish, they leave out plans in which an agent
+    /// reaches its goal, leaves it and comes back.
     fn is_exact(&self) -> bool {
         let insiders = self.search.team.insiders();
         insiders.into_iter().all(|agent| {

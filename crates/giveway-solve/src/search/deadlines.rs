@@ -21,7 +21,7 @@ pub(crate) enum Keeping {
 /// Why no later arrival is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum DeadlineReason {
-    /// What is claimed excludes it at any horizon.
+    /// The claim excludes it at any horizon.
     Claim,
     /// So does the best plan: only worse ones arrive later.
     Best,

@@ -17,18 +17,18 @@ use crate::{
 /// Which deadlines are assumed beside what is assumed anyway.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Until {
-    /// Those of all MDDs, as far as arrivals up to this time matter.
+    /// The nodes of all MDDs that matter for arrivals up to this time.
     Time(u32),
     /// None: the assumptions guard the MDDs themselves.
     Guarded,
 }
 
 impl Until {
-    /// Those of all MDDs.
+    /// All nodes of all MDDs.
     pub(crate) const EVER: Self = Self::Time(u32::MAX);
 }
 
-/// What came of a call under assumptions.
+/// The result of a call under assumptions.
 #[derive(Clone, Debug)]
 pub(crate) enum Growing {
     /// There is a model.
@@ -47,7 +47,7 @@ pub(crate) struct AssumptionCore {
     effort: CoreEffort,
 }
 
-/// What it took to find a core.
+/// The effort for a core.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CoreEffort {
     /// Its literals before it was verified and made smaller.
@@ -70,7 +70,7 @@ impl AssumptionCore {
         &self.agents
     }
 
-    /// What it took to find it.
+    /// The effort for it.
     pub(crate) const fn effort(&self) -> CoreEffort {
         self.effort
     }

@@ -23,9 +23,8 @@ pub(crate) struct Horizon {
 pub(crate) struct AllInTime(());
 
 impl Horizon {
-    /// What a person set, or else the default of the problem's rules, but at
-    /// least `at_least`. Beyond as many steps as there are joint states no plan
-    /// is ever needed, so no search goes there.
+    /// The horizon that a person set, or else the default of the problem's rules, but at least `at_least`. No
+    /// plan ever needs more steps than there are joint states, so no search goes beyond that.
     pub(crate) fn of(problem: &Problem, grid: &Grid, within: Option<u32>, at_least: u32) -> Self {
         let default = problem.default_horizon(grid);
         let asked = within.unwrap_or(default.max(at_least)).min(LATEST);

@@ -107,7 +107,7 @@ fn find_from(
         Ok(SearchEnd::Best(reason)) if incumbent.costs().is_some() => {
             verdict.reach = Some(Proved::new(reason, bounded.horizon.latest()));
         }
-        // What was shown is not about what was found.
+        // The proof contradicts the plan that was found.
         Ok(SearchEnd::NoPlan(_) | SearchEnd::Best(_)) => verdict.stop = Some(Stop::Contradiction),
         Err(stop) => verdict.stop = Some(stop),
     }

@@ -1,4 +1,4 @@
-//! What agents need of each cost, each alone.
+//! The least of each cost that each agent needs alone.
 
 use std::collections::BTreeMap;
 
@@ -16,8 +16,8 @@ use crate::{
 #[derive(Default)]
 pub(crate) struct Minima(BTreeMap<(AgentId, Cost), u32>);
 
-/// What the minima of all agents show: no plan of any makespan has less of a cost. Only
-/// [`Minima`] makes it.
+/// The bound from the minima of all agents: no plan of any makespan has less of a cost. Only [`Minima`] makes
+/// it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LoneBound(u32);
 
@@ -84,7 +84,7 @@ impl Minima {
         }
     }
 
-    /// What no plan has less of: of the makespan the largest, of other costs the sum.
+    /// The bound of all agents together: of the makespan the largest minimum, of other costs the sum.
     ///
     /// # Errors
     /// When the budget is spent.
@@ -119,7 +119,7 @@ impl LoneBound {
         (bound <= self.0).then_some(NeededAlone(()))
     }
 
-    /// What a limit leaves beyond the bound.
+    /// The slack of a limit beyond the bound.
     ///
     /// # Errors
     /// When the limit is below it.

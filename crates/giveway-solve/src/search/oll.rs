@@ -25,7 +25,7 @@ use crate::{
     sat::{Clauses, Lit},
 };
 
-/// What softs speak of: a formula that grows.
+/// The formula over which softs are stated; it grows.
 pub(super) trait Formula {
     /// The collector of its clauses.
     type Out: Clauses;
@@ -51,7 +51,7 @@ pub(super) trait Kept<F>: Level {
     }
 }
 
-/// What an assumption says.
+/// A soft constraint.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Soft<L> {
     /// A level is kept.
@@ -98,9 +98,9 @@ struct Total {
 
 /// A core-guided search under way.
 pub(super) struct Oll<L> {
-    /// What is assumed, by literal.
+    /// The assumed softs, by literal.
     pub(super) assumed: BTreeMap<Lit, Soft<L>>,
-    /// What cores set free, to be assumed with the next round.
+    /// Softs relaxed by cores, to be assumed in the next round.
     pub(super) waiting: Vec<Soft<L>>,
     /// Cores of this round, to be counted with the next one.
     pub(super) uncounted: Vec<Paid>,

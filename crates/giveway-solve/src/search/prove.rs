@@ -23,7 +23,7 @@ use crate::{
     walk::Walk,
 };
 
-/// What a search is given, and never changes.
+/// The fixed input of a search.
 #[derive(Clone, Copy)]
 pub(super) struct SearchInput<'a, 'h> {
     pub(super) problem: &'a Problem,
@@ -32,14 +32,14 @@ pub(super) struct SearchInput<'a, 'h> {
     pub(super) budget: &'a Rc<Budget<'h>>,
 }
 
-/// What a search has shown in the end.
+/// How a search ended.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum SearchEnd {
     /// No more than the plan at hand, which is all that was looked for.
     Plan,
-    /// That there is no plan: within the horizon, or for this reason at any.
+    /// There is no plan: within the horizon, or at any by this token.
     NoPlan(Option<ForEver<NoPlan>>),
-    /// That no plan is better than the one at hand, likewise.
+    /// No plan is better than the one at hand, likewise.
     Best(Option<ForEver<Least>>),
 }
 
@@ -62,8 +62,8 @@ pub(super) fn prove(
     or_exhausted(given, incumbent, verdict, by_sat, |shown| shown)
 }
 
-/// What SAT shows. Where it finds that hard and there are few joint states, these are
-/// exhausted: they show the best plan, so that nothing is left to show.
+/// The proof by SAT. Where that is hard and there are few joint states, these are exhausted instead: they
+/// give the best plan, so that nothing is left to prove.
 pub(super) fn or_exhausted<T>(
     given: SearchInput,
     incumbent: &mut Incumbent,

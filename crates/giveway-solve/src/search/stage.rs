@@ -1,4 +1,4 @@
-//! What the stages of a lexicographic search share.
+//! The shared parts of the stages of a lexicographic search.
 //!
 //! A stage minimises one cost of the objective around one [`Team`]. When it is
 //! done, what it proved is made to hold for good, and the next stage goes on in
@@ -40,13 +40,13 @@ pub(super) enum End {
     None,
 }
 
-/// What a search is about.
+/// The problem and the bounds of a search.
 #[derive(Clone, Copy)]
 pub(crate) struct Subject<'p, 'a> {
     pub(crate) problem: &'p Problem,
     /// Walks of all agents, each at its own optimum.
     pub(crate) walks: &'a [Walk],
-    /// What plans must keep to.
+    /// The bounds on plans.
     pub(crate) bounded: &'a Bounded,
 }
 
@@ -60,7 +60,7 @@ pub(crate) struct Search<'p, 'h, 'b> {
     pub(super) budget: Rc<Budget<'h>>,
     /// The latest arrivals that are still of interest.
     pub(super) deadlines: Deadlines,
-    /// What is proved, and what is under way.
+    /// The claim so far.
     pub(super) claim: SearchClaim,
     /// The sums of costs that are limited: of what agents have beyond their minima, and
     /// of agents that enter later all of it.

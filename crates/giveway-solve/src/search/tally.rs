@@ -21,7 +21,7 @@ use crate::{
 pub(crate) struct CostCounter {
     cost: Cost,
     count: EventCounter,
-    /// What is there without any counted event.
+    /// The count without any event.
     base: u32,
     /// The moves still to make, batteries aside.
     potential: Option<CostToGo>,

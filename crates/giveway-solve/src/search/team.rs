@@ -80,7 +80,7 @@ impl<'p, 'h> Team<'p, 'h> {
     ) -> Self {
         Self {
             collisions: Collisions::soft(),
-            // Nobody is kept from a goal.
+            // No goal is reserved.
             owners: BTreeMap::new(),
             ..Self::new(problem, walks, budget)
         }
@@ -132,7 +132,7 @@ impl<'p, 'h> Team<'p, 'h> {
         self.inside[agent] = Some(MddEncoding::new(agent, problem));
         self.grow(agent, problem.optima[agent])?;
         if problem.rests(agent) {
-            // Whoever is on its goal later than it may arrive keeps it away.
+            // An agent at its goal after its deadline blocks the goal for the others.
             let goal = problem.tasks[agent].goal;
             let visits = goal.and_then(|goal| self.on_goals.get(&goal));
             for (time, other, lit) in visits.cloned().unwrap_or_default() {
@@ -215,7 +215,7 @@ impl<'p, 'h> Team<'p, 'h> {
         self.minima.known(self.problem, agent, cost).unwrap_or(0)
     }
 
-    /// What all agents need of a cost, each alone.
+    /// The bound of a cost from the least that each agent needs alone.
     pub(crate) fn lone_bound(&mut self, cost: Cost) -> Result<LoneBound, Stop> {
         self.minima.bound(self.problem, cost, &self.budget)
     }

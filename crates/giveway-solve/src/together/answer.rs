@@ -28,7 +28,7 @@ pub struct TogetherAnswer {
 /// Where an agent can be while it keeps its limit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Region {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// When it has to arrive at the latest.
     pub by: u32,
@@ -53,7 +53,7 @@ pub struct CellTimes {
 /// A place where an agent has to be at a time to keep its limit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct MustPass {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// Where.
     pub cell: Cell,
@@ -66,7 +66,7 @@ pub struct MustPass {
 /// A place where two agents collide, whichever ways they take.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct MustMeet {
-    /// Who.
+    /// The two agents.
     pub agents: [String; 2],
     /// When: at a swap, when the move begins.
     pub time: u32,
@@ -99,7 +99,7 @@ pub enum MeetingKind {
     },
 }
 
-/// What was found out about some agents alone, all others away.
+/// The answer for some agents alone, all others away.
 #[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
 pub struct Alone {
     /// The scene with these agents only, and the cost as its objective: it can be

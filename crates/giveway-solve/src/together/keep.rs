@@ -50,7 +50,7 @@ pub(super) fn can_keep(
     });
     match judged.status {
         Status::Optimal | Status::Feasible => Some(true),
-        // Who keeps limits of time arrives up to the horizon.
+        // An agent that keeps limits of time arrives up to the horizon.
         Status::Impossible if is_time(request.cost) || request.within.is_some() => Some(false),
         Status::Impossible => judged
             .reach

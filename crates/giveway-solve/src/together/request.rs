@@ -1,4 +1,4 @@
-//! What is asked of some agents.
+//! The request about some agents alone.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Scene, format::from_object};
@@ -19,7 +19,7 @@ pub struct TogetherRequest {
     pub cost: Cost,
     /// The agents, and the most that each may have of it.
     pub agents: Vec<AgentLimit>,
-    /// What they may have together beyond the least of each, where that is limited.
+    /// The limit on their sum beyond the least of each, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub more: Option<u32>,
     /// Only plans of at most this makespan count.
@@ -31,9 +31,8 @@ pub struct TogetherRequest {
 }
 
 impl TogetherRequest {
-    /// What a core claims, asked of its agents: its own limits where it is about
-    /// agents alone, else what its agents need together, which is one less than
-    /// enough.
+    /// The claim of a core as a request about its agents: its own limits where it is about agents alone, else
+    /// a sum that is one less than they need.
     pub fn about(core: &Core, scene: Scene) -> Self {
         let (agents, more) = match &core.together {
             Some(together) if !core.sums.is_empty() => {

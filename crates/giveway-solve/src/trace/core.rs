@@ -25,8 +25,8 @@ pub struct Core {
     /// Earlier cores of which no more than so many limits may be broken.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sums: Vec<EarlierCore>,
-    /// What all agents have together that this core and those below it name; `null`
-    /// for the makespan, which is no sum.
+    /// The sum of all agents that this core and those below it name; `null` for the makespan, which is no
+    /// sum.
     pub together: Option<Together>,
     /// Of which plans this is so.
     #[serde(rename = "condition", default, skip_serializing_if = "Scope::is_empty")]
@@ -46,7 +46,7 @@ pub struct Core {
 /// costs this is a time: it arrives by then.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct AgentLimit {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// The least that it needs alone.
     pub least: u32,
@@ -65,10 +65,10 @@ pub struct EarlierCore {
     pub at_most: u32,
 }
 
-/// What some agents need together beyond the least of each.
+/// The sum that some agents need together beyond the least of each.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Together {
-    /// Who, with the least of each alone.
+    /// The agents, with the least of each alone.
     pub agents: Vec<AgentLeast>,
     /// How much more than the sum of these they need together at the least: late
     /// steps, charges, moves or waits. One less is not enough.
@@ -78,7 +78,7 @@ pub struct Together {
 /// The least of a cost that an agent needs alone.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct AgentLeast {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// The least.
     pub least: u32,

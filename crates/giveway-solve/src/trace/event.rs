@@ -31,19 +31,18 @@ pub struct TraceEvent {
     pub number: u64,
     /// Conflicts of the SAT solver in the whole search up to now.
     pub conflicts: u64,
-    /// What it says, as a sentence that is true by itself: see [`super::words`].
+    /// The event as a sentence that is true by itself: see [`super::words`].
     pub text: String,
-    /// What happened.
+    /// The event.
     #[serde(flatten)]
     pub event: SearchEvent,
 }
 
-/// What happened.
+/// An event of a search.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum SearchEvent {
-    /// What each agent needs alone bounds a cost: by their sum, of the makespan by
-    /// the largest.
+    /// The least that each agent needs alone bounds a cost: by their sum, of the makespan by the largest.
     Alone {
         /// The cost.
         cost: Cost,
@@ -56,7 +55,7 @@ pub enum SearchEvent {
     Plan {
         /// Its costs.
         costs: Costs,
-        /// Who found it.
+        /// The method that found it.
         by: FoundBy,
     },
     /// The search for the least of a cost begins, among the plans that have the
@@ -68,7 +67,7 @@ pub enum SearchEvent {
         #[borsh(deserialize_with = "read_map")]
         given: BTreeMap<Cost, u32>,
     },
-    /// What earlier cores set free is bounded again: the next round of cores.
+    /// Softs that earlier cores relaxed are bounded again: the next round of cores.
     Round {
         /// The cost that is bounded.
         cost: Cost,
@@ -76,7 +75,7 @@ pub enum SearchEvent {
     /// Agents get a place in the formula. No plan for the others leaves them a best
     /// way of their own so far.
     Entered {
-        /// Who, and with whom each collided.
+        /// The agents, and those with whom each collided.
         agents: Vec<Entrant>,
     },
     /// Limits that cannot all be kept, so that the bound rises.
@@ -123,13 +122,13 @@ pub enum SearchEvent {
     Stopped(Stopped),
 }
 
-/// Who found a plan.
+/// The method that found a plan.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
 #[serde(rename_all = "kebab-case")]
 pub enum FoundBy {
-    /// Nobody: it was handed in.
+    /// None: it was handed in.
     Given,
     /// Each agent on a best way of its own, which collide nowhere.
     Alone,
@@ -152,7 +151,7 @@ pub enum FoundBy {
 /// An agent that gets a place in the formula.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Entrant {
-    /// Who.
+    /// The agent.
     pub agent: String,
     /// With whom it collided; nobody where its way around the others costs more than
     /// it needs alone.
@@ -171,7 +170,7 @@ pub enum Restart {
     Horizon,
 }
 
-/// Who cannot arrive.
+/// An agent that cannot arrive.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Cannot {
     /// Agents that cannot all arrive; all of them where nobody is named.

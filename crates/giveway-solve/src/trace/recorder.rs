@@ -156,7 +156,7 @@ impl Recorder {
         due
     }
 
-    /// What the host does not know yet.
+    /// The events that the host has not received yet.
     pub(crate) fn take_untold(&self) -> Vec<TraceEvent> {
         mem::take(&mut *self.unsent.borrow_mut())
     }

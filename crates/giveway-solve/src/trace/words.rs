@@ -14,7 +14,7 @@ use crate::words::{clash, known, reason};
 /// More robots are counted instead of named.
 const MOST_NAMES: usize = 4;
 
-/// What an event says.
+/// An event as a sentence.
 pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
     match event {
         SearchEvent::Alone {

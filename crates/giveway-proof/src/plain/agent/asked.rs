@@ -74,8 +74,8 @@ impl Walker<'_> {
         }
     }
 
-    /// What holds where it begins to go from one cell to another at one of some
-    /// times; all literals of an entry together.
+    /// The literals of its moves from one cell to another at one of some times; all literals of an entry hold
+    /// together.
     pub(in crate::plain) fn moves_between(
         &self,
         u: Cell,

@@ -1,4 +1,4 @@
-//! What a method answers.
+//! Makes the answer of a method.
 
 use std::collections::BTreeMap;
 

@@ -53,7 +53,7 @@ pub(super) fn judged(
     let names: Vec<String> = agents.map(|agent| agent.name.clone()).collect();
     let mut rest = to_plan(problem, &names, walks);
     for (agent, name) in names.iter().enumerate() {
-        // Who does the same as before charges as before, too.
+        // An agent that does the same as before also charges as before.
         if same.get(agent) == Some(&true) {
             let charges = case.snapshot.agents.get(agent).map(|it| it.charges.clone());
             rest.charges

@@ -27,7 +27,7 @@ impl MddEncoding {
                 self.layers.resize(layer + 1, Vec::new());
             }
             self.layers[layer].push(self.nodes[id as usize]);
-            // Who vanishes on arrival is nowhere from then on, and who rests anywhere
+            // An agent that vanishes on arrival is nowhere from then on; one that rests anywhere
             // would need all its rests here.
             if self.stays && !self.anywhere || time <= self.optimum {
                 grown.insert(layer);

@@ -158,7 +158,7 @@ impl<'a> Shrinking<'a> {
         }
         let (first, second) = block.split_at(block.len() / 2);
         let needed = self.shrink(first, false);
-        // What is needed lies in the second half if it is not in the first.
+        // If the needed fact is not in the first half, it is in the second.
         self.shrink(second, !needed) || needed
     }
 

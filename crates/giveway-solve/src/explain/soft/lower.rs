@@ -76,7 +76,7 @@ impl SoftRules<'_, '_, '_> {
         Ok(())
     }
 
-    /// What the best plan so far has.
+    /// The counts of the best plan so far.
     fn lowered(&self) -> Option<Lowered> {
         self.best.as_ref().map(|&(best, _)| best)
     }

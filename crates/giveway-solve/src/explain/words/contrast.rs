@@ -1,4 +1,4 @@
-//! What a question contrasts the plan with, as a clause.
+//! The contrast of a question as a clause.
 
 use giveway_model::{Cost, check::cost_of, condition::Clause};
 

@@ -1,10 +1,9 @@
-//! What is different in the other plan, in a few words.
+//! The differences of the other plan in a few words.
 
 use giveway_model::words::and;
 use giveway_model::{Cell, Cost, Instance, Plan, Question, check::own_costs, tr};
 
-/// What could be instead, as a clause: `A1 could wait instead`; `None` where
-/// there is nothing short to say.
+/// The alternative as a clause: `A1 could wait instead`; `None` where there is nothing short to say.
 pub(crate) fn instead(
     question: &Question,
     instance: &Instance,

@@ -20,8 +20,8 @@ pub fn verdict_word(answer: &ExplainAnswer) -> &'static str {
     }
 }
 
-/// What stands above the things that would go wrong, or that a plan breaks. Where there
-/// is no plan, they are of one class, all rules of which may be broken.
+/// The heading of a witness, or of the rules that a plan breaks. Where there is no plan, they are of one
+/// class, all rules of which may be broken.
 pub fn witness_title(question: &Question, class: Option<Class>) -> String {
     match (question, class) {
         (_, Some(Class::Collision)) => {
@@ -42,7 +42,7 @@ pub fn witness_title(question: &Question, class: Option<Class>) -> String {
     }
 }
 
-/// What stands above a set of facts: the `further` ones say that they are not the first.
+/// The heading of a set of facts: `further` sets say that they are not the first.
 pub fn facts_title(verdict: Verdict, core: &Core, is_further: bool) -> &'static str {
     match (verdict, is_single(core), is_further) {
         (Verdict::Costly, true, false) => tr!("This fact rules out such a plan at no higher cost"),
@@ -66,9 +66,9 @@ const fn is_single(core: &Core) -> bool {
     core.facts.len() == 1
 }
 
-/// What is claimed of a set: that it suffices, whether each of its facts is needed
-/// for that, and which of them help when they alone are left out. The task of the
-/// agent of the question is never left out: it is named where there is one.
+/// The claim of a set of facts: that it suffices, whether each of its facts is needed for that, and which of
+/// them help when they alone are left out. The task of the agent of the question is never left out: it is
+/// named where there is one.
 pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String {
     let set = match (core.minimal, is_single(core), question.agent()) {
         (false, _, _) => tr!("Some of these may not be needed.").to_owned(),
@@ -89,7 +89,7 @@ pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String
     format!("{set}{}", alone.unwrap_or_default())
 }
 
-/// What leaving out one fact of a set alone does, as a sentence about all of them.
+/// The effect of leaving out one fact of a set, as a sentence about all of them.
 fn alone(question: &Question, verdict: Verdict, core: &Core) -> Option<&'static str> {
     let count = |helps| core.facts.iter().filter(|fact| fact.helps == helps).count();
     let (single, costly) = (is_single(core), verdict == Verdict::Costly);
@@ -116,8 +116,8 @@ fn alone(question: &Question, verdict: Verdict, core: &Core) -> Option<&'static 
     }
 }
 
-/// That leaving out one fact of a set, or one of those without a mark, does not help:
-/// where that is so.
+/// The sentence that leaving out one fact of a set, or one of those without a mark, does not help, where that
+/// is so.
 pub(super) fn no_help(core: &Core) -> Option<&'static str> {
     let count = |helps| core.facts.iter().filter(|fact| fact.helps == helps).count();
     if count(Helps::Unknown) > 0 {
@@ -140,8 +140,8 @@ pub(super) fn no_help(core: &Core) -> Option<&'static str> {
     }
 }
 
-/// What stands behind a fact that helps when it alone is left out; nothing where that
-/// is so of all facts of its set, since its claim says so.
+/// The mark of a fact that helps when it alone is left out; none where this holds for all facts of its set,
+/// since its claim says so.
 pub fn helps_mark(
     question: &Question,
     verdict: Verdict,

@@ -15,8 +15,8 @@ const IN_LIST: usize = 4;
 /// So many clauses are told; of more than that one fewer, and the rest is counted.
 const CLAUSES: usize = 6;
 
-/// What the sets of facts exclude, a sentence each. Which facts help when they alone are
-/// left out is told where the facts are listed.
+/// The sets of facts, a sentence each. Facts that help when they alone are left out are marked where the
+/// facts are listed.
 pub(super) fn because(core: Option<&Core>, verdict: Verdict) -> Vec<String> {
     let Some(core) = core.filter(|core| !core.facts.is_empty()) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! What there is to say of a person's own plan.
+//! The findings about a person's own plan, in words.
 
 use giveway_model::words::and;
 use giveway_model::{Cost, Costs, Objective, tr};

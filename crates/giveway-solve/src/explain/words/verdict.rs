@@ -27,7 +27,7 @@ pub(crate) struct KnownSoFar<'a> {
     pub(crate) alternative: Option<&'a Plan>,
     /// The makespan up to which the verdict holds; `None` for any.
     pub(crate) within: Option<u32>,
-    /// Who would run into what: the agent that the witness is about.
+    /// The agent of the witness, and what it would run into.
     pub(crate) witness: (&'a str, &'a [WitnessEntry]),
     pub(crate) core: Option<&'a Core>,
     pub(crate) repairs: &'a [Repair],

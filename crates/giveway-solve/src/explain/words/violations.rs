@@ -1,4 +1,4 @@
-//! What an agent would run into, as clauses after "it would".
+//! The collisions of an agent as clauses after "it would".
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub(crate) fn would(agent: &str, violations: &[&Violation], instance: Option<&In
     let mut phrases: Vec<String> = Vec::new();
     let mut seen = BTreeSet::new();
     for violation in violations {
-        // Who has met somebody once need not be told of it again.
+        // Another agent is named at the first collision only.
         let collides = violation.agents.len() > 1;
         if !collides || seen.insert(&violation.agents) {
             phrases.push(phrase(agent, violation, instance));

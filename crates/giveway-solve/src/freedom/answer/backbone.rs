@@ -1,4 +1,4 @@
-//! What all best plans have in common with this one.
+//! The backbone: the visits that all best plans share.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Cell;

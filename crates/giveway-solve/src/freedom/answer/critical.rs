@@ -1,4 +1,4 @@
-//! What closing a cell would cost.
+//! The cost of closing a cell.
 
 use std::collections::BTreeMap;
 
@@ -17,11 +17,11 @@ use crate::Reach;
 pub struct CriticalCell {
     /// The cell.
     pub cell: Cell,
-    /// What becomes of the scene without it.
+    /// The scene without it.
     pub closed: Closed,
 }
 
-/// What becomes of the scene when a cell is closed.
+/// The result of closing a cell.
 #[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum Closed {
     /// There is a best plan, proved to be one.
@@ -37,7 +37,7 @@ pub enum Closed {
     },
     /// There is no plan.
     Impossible {
-        /// Who needs the very cell, where somebody does.
+        /// The need of an agent for this very cell, where there is one.
         needed: Option<Need>,
         /// How far the proof reaches; never nothing.
         reach: Reach,
@@ -75,7 +75,7 @@ impl Closed {
     }
 }
 
-/// What is known, as it is written.
+/// The status as it is written.
 #[derive(Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum ClosedStatus {

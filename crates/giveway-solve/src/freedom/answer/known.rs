@@ -1,9 +1,9 @@
-//! What is proved and what is open, as types: nothing open can be read as proved.
+//! Proved or open, as types: nothing open can be read as proved.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-/// What is known of something that all best plans may have in common.
+/// Whether all best plans share something.
 ///
 /// As JSON it is `true`, `false` or, where it is open, `null`.
 #[derive(
@@ -76,7 +76,7 @@ impl PlanCount {
     }
 }
 
-/// What is known of a number.
+/// Whether a count is exact.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum NumberKind {

@@ -1,4 +1,4 @@
-//! What all best plans share, and what is free to choose.
+//! The answer about all best plans: what they share, and what is free to choose.
 //!
 //! A best plan is one with the least costs, compared in the order of the objective.
 //! Each part tells item by item what is proved and what is open.
@@ -43,8 +43,8 @@ pub enum About {
 pub struct FreedomAnswer {
     /// The format's version.
     pub giveway: Version,
-    /// What is known of the plan. The parts speak of all best plans, so they are
-    /// there only where it is `optimal`.
+    /// The proved status of the plan. The parts are about all best plans, so they are there only where it is
+    /// `optimal`.
     pub status: Status,
     /// The costs by which plans are compared, the most important first.
     pub objective: Objective,
@@ -68,7 +68,7 @@ pub struct FreedomAnswer {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[borsh(deserialize_with = "read_optional_map")]
     pub slack: Option<BTreeMap<String, Slack>>,
-    /// What closing each free cell would cost, in the order of the rows.
+    /// The cost of closing each free cell, in the order of the rows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalCell>>,
     /// The parts that are not finished: still to come, in an answer that is told on

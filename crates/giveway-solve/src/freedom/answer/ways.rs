@@ -15,8 +15,8 @@ pub struct Plans {
     /// How many.
     #[serde(flatten)]
     pub number: PlanCount,
-    /// What each agent can choose from. Where the numbers of ways multiply to the
-    /// number of plans, each choice is free of all others.
+    /// The choices of each agent. Where the numbers of ways multiply to the number of plans, each choice is
+    /// independent of all others.
     #[borsh(deserialize_with = "read_map")]
     pub ways: BTreeMap<String, Ways>,
 }

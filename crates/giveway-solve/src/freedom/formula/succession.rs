@@ -44,8 +44,7 @@ impl Succession {
         Ok(Self { layers: all })
     }
 
-    /// What is left where some spots and steps are not free. A step is given by the time
-    /// at which it begins.
+    /// The succession without some spots and steps. A step is given by the time at which it begins.
     pub(in crate::freedom) fn where_free(
         &self,
         is_free: impl Fn(u32, Spot) -> bool,

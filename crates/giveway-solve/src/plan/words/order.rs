@@ -1,4 +1,4 @@
-//! What came of an order of prioritised planning, in words.
+//! An order of prioritised planning in words.
 
 use giveway_model::tr;
 use giveway_model::words::and;

@@ -1,4 +1,4 @@
-//! What stands in a constraint tree, in words: conflicts, and what a node asks.
+//! A constraint tree in words: conflicts, and the constraint of each node.
 
 use giveway_model::tr;
 
@@ -80,7 +80,7 @@ pub fn conflict_lines(conflict: &ToldConflict) -> [String; 2] {
     }
 }
 
-/// What a node asks, as a sentence without a full stop.
+/// The constraint of a node, as a sentence without a full stop.
 pub fn constraint(constraint: &ToldConstraint) -> String {
     match constraint {
         ToldConstraint::NotAt { agent, cell, time } => {
@@ -151,7 +151,7 @@ pub fn branch(constraint: &ToldConstraint) -> String {
     }
 }
 
-/// Whom a constraint is about.
+/// The agent of a constraint.
 pub fn subject(constraint: &ToldConstraint) -> &str {
     match constraint {
         ToldConstraint::NotAt { agent, .. }
@@ -163,7 +163,7 @@ pub fn subject(constraint: &ToldConstraint) -> &str {
     }
 }
 
-/// Who has a conflict.
+/// The agents of a conflict.
 pub const fn parties(conflict: &ToldConflict) -> &[String; 2] {
     match conflict {
         ToldConflict::Vertex { agents, .. }

@@ -15,7 +15,7 @@ use crate::{
     },
 };
 
-/// That an agent does as before.
+/// The soft constraint that an agent does as in the given plan.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum AsBefore {
     /// An agent that is not inside the SAT solver.
@@ -25,7 +25,7 @@ pub(super) enum AsBefore {
 }
 
 impl Level for AsBefore {
-    /// Whoever does something else may do anything.
+    /// It has one level: an agent that does anything else is not measured further.
     fn raised(self, _: u32) -> Option<Self> {
         None
     }
@@ -76,7 +76,7 @@ impl Near<'_, '_> {
                 Growing::Core(core) => oll.add_core(self, core.lits())?,
             }
         }
-        // Whoever does something else in any plan with so few has been named.
+        // Agents that change in every plan with so few changes have been named.
         oll.harden(self);
         Ok(Some(NoneCloser(())))
     }

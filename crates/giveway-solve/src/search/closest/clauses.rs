@@ -1,4 +1,4 @@
-//! What an inside agent does and did, in clauses, as far as its MDD reaches.
+//! Clauses that compare an inside agent with its given walk, as far as its MDD reaches.
 
 use std::collections::BTreeMap;
 

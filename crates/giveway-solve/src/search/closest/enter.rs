@@ -1,4 +1,4 @@
-//! Who does as before from outside the SAT solver, and who is inside.
+//! Agents that do as before from outside the SAT solver, and agents that enter it.
 
 use giveway_model::Cost;
 

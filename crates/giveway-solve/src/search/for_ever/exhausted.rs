@@ -1,4 +1,4 @@
-//! What exhausting the joint states shows: it knows no horizon.
+//! Claims from exhausted joint states: they hold at every horizon.
 
 use std::collections::BTreeMap;
 
@@ -118,7 +118,7 @@ pub(in crate::search) fn best(
     budget: &Budget,
 ) -> Result<Option<Optima>, Stop> {
     let objective = incumbent.objective().clone();
-    // What is used of a limited cost makes states many, so first without.
+    // Counting a limited cost multiplies the states, so the first try is without limits.
     let free = BTreeMap::new();
     let mut tried = vec![(&free, None)];
     if !bounded.limits.is_empty() {

@@ -10,7 +10,7 @@ use crate::{
     search::{aim::Bounded, bound::Optimum, stage::Search},
 };
 
-/// What is known of the stages that have ended.
+/// The optima of the stages that have ended.
 pub(in crate::search) struct OfOptima {
     /// Why no plan counts that is later than the horizon. Once the makespan or
     /// the sum of costs is bounded, none does.

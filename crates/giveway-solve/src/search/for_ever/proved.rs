@@ -5,13 +5,13 @@ use super::{ForEver, NoPlan};
 /// How far a claim reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proved {
-    /// Whatever the horizon.
+    /// At every horizon.
     ForEver(Reasoned),
     /// Among plans of at most this makespan.
     Within(u32),
 }
 
-/// That a claim has its reason, whichever claim it is.
+/// A claim at every horizon has its reason, whichever claim it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Reasoned(());
 
@@ -21,12 +21,12 @@ impl Proved {
         reason.map_or(Self::Within(horizon), Self::for_ever)
     }
 
-    /// Whatever the horizon, for a reason.
+    /// Proved at every horizon, by a token.
     pub(crate) fn for_ever<C>(_: ForEver<C>) -> Self {
         Self::ForEver(Reasoned(()))
     }
 
-    /// That there is no plan, whatever the horizon.
+    /// There is no plan at any horizon.
     pub(crate) fn no_plan(reason: impl Into<ForEver<NoPlan>>) -> Self {
         Self::for_ever(reason.into())
     }

@@ -32,9 +32,9 @@ pub(crate) enum Least {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Closest {}
 
-/// What the SAT solver refutes: a claim of all plans up to the deadlines that it knows.
+/// A refutation by the SAT solver: a claim about all plans up to the deadlines that it knows.
 pub(in crate::search) trait Refutation {
-    /// What follows.
+    /// The claim.
     type Claim;
 }
 
@@ -49,7 +49,7 @@ impl Refutation for Optimum {
 }
 
 impl<C> ForEver<C> {
-    /// What was refuted without the horizon holds at any.
+    /// A refutation that does not use the horizon holds at every horizon.
     pub(in crate::search) const fn refuted(_: &impl Refutation<Claim = C>, _: NoHorizon) -> Self {
         Self(PhantomData)
     }
@@ -86,8 +86,8 @@ proofs! {
     CellNeeded => NoPlan,
     /// No plan meets a condition.
     Unmeetable => NoPlan,
-    /// What agents need alone is above a limit.
+    /// The least that agents need alone is above a limit.
     LimitTooLow => NoPlan,
-    /// What agents need alone is the bound.
+    /// The least that agents need alone is the bound.
     NeededAlone => Least,
 }

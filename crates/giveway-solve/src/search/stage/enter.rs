@@ -1,4 +1,4 @@
-//! Who is taken inside the SAT solver, and with what.
+//! Agents enter the SAT solver.
 
 use giveway_model::Cost;
 

@@ -24,7 +24,7 @@ impl Search<'_, '_, '_> {
                 return Ok(Some(too_low));
             }
         }
-        // Whoever enters takes its share of the limits.
+        // An agent that enters takes its share of the limits.
         self.enter_insiders()?;
         Ok(None)
     }
@@ -69,8 +69,7 @@ impl Search<'_, '_, '_> {
         Ok(())
     }
 
-    /// What an agent costs beyond its minimum, in unary, as far as a limit of `most`
-    /// needs it.
+    /// The cost of an agent beyond its minimum, in unary, as far as a limit of `most` needs it.
     fn digits(&mut self, agent: AgentId, cost: Cost, most: u32) -> Result<Vec<Lit>, Stop> {
         let mut digits = Vec::new();
         let cap = self.cap(agent);

@@ -23,16 +23,16 @@ const TURNS_IN_VAIN: u64 = 2;
 /// do not know.
 const DEARER: u64 = 8;
 
-/// The neighbourhood search, and when it goes on.
+/// The large neighbourhood search, and its share of the work.
 pub(super) struct Polishing {
     lns: Lns,
-    /// States that it may still look at, from earlier times.
+    /// Expansions left over from earlier turns.
     left: u64,
-    /// Derived clauses up to which its share is reckoned.
+    /// Derived clauses for which it has had its share.
     reckoned: u64,
-    /// States that it has looked at since the plan last became better.
+    /// Expansions since the plan last improved.
     in_vain: u64,
-    /// Whether its turns have come to gain little.
+    /// Whether its turns gain little by now.
     is_slow: bool,
 }
 

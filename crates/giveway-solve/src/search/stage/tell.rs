@@ -1,4 +1,4 @@
-//! What a search tells of itself, where a trace is asked for.
+//! The trace events of a search.
 
 use std::collections::{BTreeMap, BTreeSet};
 

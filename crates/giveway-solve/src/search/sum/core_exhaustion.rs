@@ -39,7 +39,7 @@ impl SumStage<'_> {
                     assumed.insert(lit, soft);
                 }
             }
-            // What is shared comes first, as in `in_order`.
+            // Shared softs come first, as in `in_order`.
             let mut order: Vec<Lit> = assumed.keys().copied().collect();
             sorting::sort_by_key(&mut order, |lit| {
                 assumed.get(lit).and_then(agent_of).is_some()

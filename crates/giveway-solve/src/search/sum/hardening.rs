@@ -1,4 +1,4 @@
-//! What the best plan so far tells: levels that no better plan can have.
+//! Hardening: the best plan so far excludes levels that no better plan can have.
 //!
 //! Each level above an assumption costs one more than the bound, so a plan that
 //! is to be better keeps all levels within the gap between bound and best plan
@@ -50,7 +50,7 @@ impl SumStage<'_> {
                 None => {}
             }
         }
-        // What holds for good need not be assumed.
+        // A unit clause need not be assumed.
         self.oll.assumed.retain(|_, soft| {
             let at_most = soft.level();
             at_most.is_none_or(|AtMost { agent, most, .. }| {

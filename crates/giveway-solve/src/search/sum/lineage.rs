@@ -1,4 +1,4 @@
-//! What each core builds on, for those who are told of it.
+//! The earlier cores that each core builds on, for the trace.
 //!
 //! A core speaks of agents that earlier cores have given more already, and of sums
 //! over the limits of earlier cores. Those, and what they build on in turn, are its

@@ -52,7 +52,7 @@ pub(super) struct SumStage<'b> {
     seen: BTreeMap<Vec<AgentId>, u32>,
     /// The best plan's cost and the bound of when levels were last excluded.
     hardened: Option<(u32, u32)>,
-    /// What each core builds on.
+    /// The earlier cores that each core builds on.
     lineage: Lineage,
 }
 

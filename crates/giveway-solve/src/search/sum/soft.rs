@@ -12,7 +12,7 @@ use crate::{
     },
 };
 
-/// What is assumed in a stage.
+/// The soft constraint of a stage.
 pub(super) type Soft = oll::Soft<AtMost>;
 
 /// An agent has at most this of a cost.

@@ -1,5 +1,4 @@
-//! What an agent may do, made known to all others: collisions, goals that are
-//! kept free, and who is somewhere first.
+//! Clauses between agents: collisions, goals that are kept free, and precedences.
 
 use super::Team;
 use crate::{
@@ -10,8 +9,8 @@ use crate::{
 };
 
 impl Team<'_, '_> {
-    /// Makes what an agent may do known to all others. Where it reaches later times,
-    /// agents that rest anywhere rest there, too.
+    /// Excludes the new nodes of an agent from those of all others. Where the nodes reach later times, agents
+    /// that rest anywhere rest there, too.
     pub(super) fn absorb(&mut self, agent: AgentId, added: &Added) {
         self.exclude(agent, added);
         let latest = added.positions.iter().map(|&(time, ..)| time).max();
@@ -107,7 +106,7 @@ impl Team<'_, '_> {
             .or_insert_with(|| sat.fresh())
     }
 
-    /// Somebody on the owner's goal at a time: the owner arrives later.
+    /// Another agent on the owner's goal at a time: the owner arrives later.
     pub(super) fn keep_away(&mut self, owner: AgentId, time: u32, lit: Lit) {
         if let Some(code) = &mut self.inside[owner]
             && let Some(by) = code.by(time, &mut self.sat)

@@ -48,7 +48,7 @@ impl AgentCode {
         if self.stays {
             return;
         }
-        // Who waits at its goal before it is gone has arrived when that wait began.
+        // An agent that waits at its goal until it vanishes has arrived when that wait began.
         for time in 1..=self.cap {
             let at = |time: u32| spots[time as usize].get(&end).copied();
             if let (Some(before), Some(here)) = (at(time - 1), at(time)) {
@@ -181,7 +181,7 @@ impl AgentCode {
             out.clause(&[!charge, !self.by(time)]);
             self.charges.insert(time, charge);
         }
-        // A charge at s lasts up to s + 1 + full, where the next one may be.
+        // After a charge at s the next one has to be at most at s + 1 + full.
         let later = (full + 1..self.cap).map(|last| (last - full, last));
         for (first, last) in std::iter::once((0, initial)).chain(later) {
             let charges = self.charges.range(first..=last).map(|(_, &lit)| lit);
