@@ -1,4 +1,4 @@
-//! What clingo prints: the facts of the last answer, between lines that are none.
+//! The output of clingo: the facts of the last answer, between lines that are none.
 //!
 //! ```text
 //! clingo version 5.7.1
@@ -30,7 +30,7 @@ const BEGINNINGS: [&str; 12] = [
     "OPTIMUM FOUND",
 ];
 
-/// What ends the search.
+/// The line that ends the search.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
     Found,

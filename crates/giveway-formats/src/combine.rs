@@ -19,14 +19,14 @@ pub use outcome::{Combined, ForeignPlan, Missing, Refused};
 use plan::{Body, Read};
 use scene::{Base, Settled};
 
-/// What a person chose.
+/// The choices of a person.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// How plans are to be read, instead of what fits best.
     pub conventions: Option<Conventions>,
     /// Only the first agents of a scenario, where no plan says how many there are.
     pub agents: Option<usize>,
-    /// What becomes of agents at their goals, instead of what the files say.
+    /// The rule for agents at their goals, instead of the one of the files.
     pub at_goal: Option<AtGoal>,
     /// The level below which no battery may fall, instead of what the files say.
     pub battery_floor: Option<u32>,

@@ -1,4 +1,4 @@
-//! What the numbers and letters of a plan mean.
+//! The conventions of a plan: the meaning of its numbers and letters.
 
 use std::fmt;
 
@@ -33,7 +33,7 @@ pub enum Origin {
     One,
 }
 
-/// What *up* does to the row, which is counted from the top of the map.
+/// The direction of *up* in rows, which are counted from the top of the map.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
 )]
@@ -56,7 +56,7 @@ pub struct Conventions {
     pub cells: CellOrder,
     /// Where cells are counted from.
     pub origin: Origin,
-    /// What `u` means.
+    /// The meaning of `u`.
     pub up: Up,
 }
 
@@ -88,8 +88,7 @@ impl Conventions {
         all
     }
 
-    /// What of the conventions matters to a plan, in words: `row, column` and so
-    /// on, each with what it is about.
+    /// The conventions that matter to a plan, in words: `row, column` and so on, each with its subject.
     pub fn words(self, plan: &WrittenPlan) -> Vec<(&'static str, String)> {
         let (has_cells, has_moves) = uses(plan);
         let mut words = Vec::new();

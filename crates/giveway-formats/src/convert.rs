@@ -26,11 +26,11 @@ pub struct ConvertRequest {
 pub struct ConvertAnswer {
     /// The texts.
     pub files: BTreeMap<String, String>,
-    /// What the other format cannot say.
+    /// The parts that the other format cannot hold.
     pub notes: Vec<String>,
 }
 
-/// What a file holds.
+/// The content of a file.
 enum Content {
     Instance(Instance),
     Plan(Plan),
@@ -124,7 +124,7 @@ fn combined(request: &ConvertRequest) -> Result<(Vec<Named>, Vec<String>), Vec<F
     Ok((contents, notes))
 }
 
-/// What the files hold, each with the name of what is written and of its file.
+/// The contents of the files, each with the name of the file that is written and of its own.
 fn contents(request: &ConvertRequest) -> Result<Vec<Named>, Vec<Fault>> {
     let mut maps: BTreeMap<&str, Grid> = BTreeMap::new();
     let mut others = Vec::new();
@@ -199,7 +199,7 @@ fn native_content(text: &str, agents: Option<usize>) -> Result<Content, Vec<Faul
             Instance::new(scene).map(Content::Instance)
         }
         Held::OwnPlan(plan, _) => Ok(Content::Plan(plan)),
-        // What is no instance is named by the reader of one.
+        // A file that holds no instance is reported by the reader of instances.
         _ => native::read_instance(text).map(Content::Instance),
     }
 }

@@ -32,7 +32,7 @@ impl<'a> Cursor<'a> {
         self.at >= self.text.len()
     }
 
-    /// What comes next, up to the end of the text.
+    /// The rest of the text.
     pub(super) fn rest(&self) -> &'a str {
         self.text.get(self.at..).unwrap_or("")
     }
@@ -99,7 +99,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// What is left of the line, without blanks around it; it passes over its end.
+    /// The rest of the line, without blanks around it; the cursor passes over its end.
     pub(super) fn line(&mut self) -> &'a str {
         let rest = self.rest();
         let end = rest.find('\n').unwrap_or(rest.len());

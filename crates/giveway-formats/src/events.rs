@@ -22,7 +22,7 @@ pub(super) struct Broken {
     pub(super) why: Why,
 }
 
-/// What is wrong.
+/// The kind of fault.
 pub(super) enum Why {
     /// The text is no YAML.
     Text(String),

@@ -76,12 +76,12 @@ impl Format {
         self.about().0
     }
 
-    /// What such a file looks like, as a heading: `One line for each robot`.
+    /// The look of such a file, as a heading: `One line for each robot`.
     pub const fn looks(self) -> &'static str {
         self.about().1
     }
 
-    /// Who writes it: `EECBS and CBSH2 write it`, after *as*.
+    /// The programs that write it: `EECBS and CBSH2 write it`, after *as*.
     pub const fn makers(self) -> &'static str {
         self.about().2
     }

@@ -1,4 +1,4 @@
-//! What a format cannot hold of an instance and of a plan.
+//! The parts of an instance and of a plan that a format cannot hold.
 //!
 //! Each writer declares the [`Part`]s that its format holds; everything else that
 //! is there is a [`Loss`], which is named when it writes.
@@ -19,9 +19,9 @@ pub enum Part {
     Waypoints,
     /// Batteries of agents, and the floor with them.
     Batteries,
-    /// That agents may rest at any cell: the end of the plan becomes their goal.
+    /// Agents that may rest at any cell: the end of the plan becomes their goal.
     NoGoal,
-    /// That agents vanish at their goals.
+    /// Agents that vanish at their goals.
     Vanish,
     /// An objective other than the default.
     Objective,
@@ -31,9 +31,9 @@ pub enum Part {
     Moving,
     /// The times at which agents charge.
     Charges,
-    /// That agents join later than at time 0: they wait where they enter.
+    /// Agents that join later than at time 0: they wait where they enter.
     Joining,
-    /// That agents are removed: they remain where they were.
+    /// Agents that are removed: they remain where they were.
     Removal,
     /// The last change of the world that the plan takes into account.
     Knows,
@@ -77,8 +77,8 @@ impl fmt::Display for Loss {
     }
 }
 
-/// What is lost of an instance and of a plan in a format that holds some parts;
-/// empty where nothing is. The name of the instance is that of the files.
+/// The parts of an instance and of a plan that are lost in a format that holds these parts. The name of the
+/// instance is that of the files.
 pub fn losses(holds: &[Part], instance: Option<&Instance>, plan: Option<&Plan>) -> Vec<Loss> {
     let of_instance = instance.map(instance_parts).into_iter().flatten();
     of_instance

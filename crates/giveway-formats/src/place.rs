@@ -162,7 +162,7 @@ fn walked(from: Cell, steps: impl Iterator<Item = (i32, i32)>) -> Path {
     path
 }
 
-/// What an agent is to do, as far as it is known.
+/// The task of an agent, as far as it is known.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Known {
     pub(super) start: Option<Cell>,

@@ -15,11 +15,11 @@ use giveway_model::{Fault, Grid, Plan, Question, Scene, tr};
 pub struct Source<'a> {
     /// Its name; folders before it are not looked at.
     pub name: &'a str,
-    /// What is in it.
+    /// Its content.
     pub text: &'a str,
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Held {
     /// A map alone, with what a person should know about how it was read.
@@ -30,7 +30,7 @@ pub enum Held {
     Scene(Scene, Remarks),
     /// A plan of this project, by the names of agents, with what a person should know.
     OwnPlan(Plan, Vec<String>),
-    /// What changes while a plan runs.
+    /// The changes while a plan runs.
     Changes(Changes),
     /// A result of this project without a plan: what it says, a sentence.
     NoPlan(String),

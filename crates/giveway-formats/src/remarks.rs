@@ -1,11 +1,11 @@
-//! What a file says of its scene beyond the scene: notes, and goals that it leaves open.
+//! The remarks of a file on its scene: notes, and goals that it leaves open.
 
 use giveway_model::Cell;
 
-/// What a person should know of a scene in a file, and what the file leaves open about it.
+/// Remarks on the scene of a file for a person, and the goals that the file leaves open.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Remarks {
-    /// What a person should know, each a sentence.
+    /// Remarks for a person, each a sentence.
     pub notes: Vec<String>,
     /// The goals that are open.
     pub open: OpenGoals,

@@ -51,7 +51,7 @@ pub(super) fn sniff(text: &str) -> bool {
 /// Reads the largest solution of a file.
 pub(super) fn read(text: &str) -> Result<Held, Fault> {
     let plan = if text.trim_start().starts_with(['{', '[']) {
-        // What is no JSON may be YAML in flow style.
+        // A text that is not JSON may be YAML in flow style.
         json::read(text).or_else(|fault| yaml::read(text).map_err(|_| fault))
     } else if csv::sniff(text) {
         csv::read(text)
@@ -97,7 +97,7 @@ struct Solution<'a, P> {
     paths: Option<Paths<'a>>,
 }
 
-/// What the text of a key other than the plan is to be; `None` for keys that are not read.
+/// The expected content of a key other than the plan; `None` for keys that are not read.
 fn expected(key: &str) -> Option<Later> {
     match key {
         "map_name" => Some(tr_later!("a name")),

@@ -14,11 +14,11 @@ use giveway_model::{Fault, Instance, Plan, tr};
 pub struct Written {
     /// Each file: its name, and its text.
     pub files: Vec<(String, String)>,
-    /// What is lost, phrases: `the batteries of 2 robots`.
+    /// The lost parts, phrases: `the batteries of 2 robots`.
     pub losses: Vec<String>,
 }
 
-/// What is to be written: files whose names begin with `stem`.
+/// The files to write; their names begin with `stem`.
 #[derive(Clone, Copy)]
 pub(crate) struct Job<'a> {
     pub(crate) stem: &'a str,

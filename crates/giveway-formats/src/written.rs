@@ -38,7 +38,7 @@ pub enum Move {
 }
 
 impl Move {
-    /// What it adds to `x` and `y`, up being the row above.
+    /// Its step in `x` and `y`, up being the row above.
     pub const fn offset(self) -> (i32, i32) {
         match self {
             Self::Up => (0, -1),
@@ -89,7 +89,7 @@ pub enum Walk {
     Turns(super::Heading, Vec<Action>),
 }
 
-/// What an agent does at its cell with shelves and goods (asprilo).
+/// The act of an agent with shelves and goods at its cell (asprilo).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Handling {
     /// Lifts the shelf above it.
@@ -116,7 +116,7 @@ pub struct WrittenAgent {
     pub goal: Option<WrittenCell>,
     /// Cells that it is to visit on the way.
     pub waypoints: Vec<WrittenCell>,
-    /// What it does on the way, with the time of its end.
+    /// Its acts on the way, each with the time of its end.
     pub handling: Vec<(usize, Handling)>,
     /// Where it goes.
     pub walk: Walk,
@@ -146,16 +146,15 @@ pub struct WrittenPlan {
     pub map: Option<String>,
     /// The agents, in the order of the file.
     pub agents: Vec<WrittenAgent>,
-    /// What it says that it costs.
+    /// The costs that it claims.
     pub claimed: Claimed,
-    /// What it says that every plan costs at least.
+    /// The lower bounds of every plan that it claims.
     pub bounds: ClaimedBounds,
     /// Rules of its problem that scenes do not have.
     pub left_out: Vec<LeftOutRule>,
     /// The conventions that the format's makers document.
     pub documented: Conventions,
-    /// What a person should know, each a sentence: `The file says itself that
-    /// the plan is not valid.`
+    /// Remarks for a person, each a sentence: `The file says itself that the plan is not valid.`
     pub notes: Vec<String>,
 }
 

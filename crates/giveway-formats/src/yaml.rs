@@ -21,7 +21,7 @@ use giveway_model::{Fault, tr, tr_later};
 /// The deepest nesting of lists and objects that is read.
 const MAX_DEPTH: usize = 32;
 
-/// What kind of value comes next.
+/// The kind of the next value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// A text, a number, or nothing at all.
@@ -272,7 +272,7 @@ pub(super) fn keys(text: &str) -> Option<Vec<String>> {
     let mut keys = Vec::new();
     let mut yaml = Yaml::new(text);
     yaml.document().ok().filter(|there| *there)?;
-    // What is wrong further down is for the reader to tell.
+    // Faults further down are left to the reader.
     let read = yaml.object(tr_later!("an object"), |yaml, key| {
         keys.push(key.to_owned());
         yaml.skip()

@@ -1,5 +1,5 @@
-//! What a scene takes for granted: what the file that it was read from leaves open, or says
-//! beyond what a scene holds.
+//! The assumptions of a scene: parts of the problem that its file leaves open, or states beyond what a scene
+//! can hold.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};

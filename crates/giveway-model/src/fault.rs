@@ -1,4 +1,4 @@
-//! What is wrong with an input, and where.
+//! A fault of an input, with its place.
 
 use std::fmt;
 
@@ -23,9 +23,9 @@ pub struct Fault {
     /// The column of the text, in characters from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub column: Option<usize>,
-    /// What was found, as a phrase: `the obstacle (2, 1)`.
+    /// Found, as a phrase: `the obstacle (2, 1)`.
     pub found: String,
-    /// What was expected, as a phrase: `a free cell`.
+    /// Expected, as a phrase: `a free cell`.
     pub expected: String,
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Cell;
 
-/// What lies on a cell.
+/// The ground of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Ground {
     /// `.`: a free cell.
@@ -166,7 +166,7 @@ impl Grid {
         self.height
     }
 
-    /// What lies on a cell; `None` off the map.
+    /// The ground of a cell; `None` off the map.
     pub fn ground(&self, cell: Cell) -> Option<Ground> {
         if cell.x >= self.width || cell.y >= self.height {
             return None;
@@ -174,7 +174,7 @@ impl Grid {
         self.cells.get(self.index(cell)).copied()
     }
 
-    /// What lies on the cells of a row, from the left; nothing off the map.
+    /// The ground of the cells of a row, from the left; empty off the map.
     pub fn row(&self, y: u32) -> &[Ground] {
         let width = self.width as usize;
         let begin = (y as usize).saturating_mul(width);

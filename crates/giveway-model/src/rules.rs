@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 
 use crate::{Agent, object_only};
 
-/// What becomes of an agent at its goal.
+/// The rule for an agent at its goal.
 #[derive(
     Clone,
     Copy,
@@ -53,7 +53,7 @@ impl<'de> Deserialize<'de> for AtGoal {
 )]
 #[serde(remote = "Self", deny_unknown_fields, default)]
 pub struct Rules {
-    /// What becomes of an agent at its goal.
+    /// The rule for an agent at its goal.
     #[serde(deserialize_with = "crate::object::null_is_default")]
     pub at_goal: AtGoal,
     /// The level below which no battery may fall before arrival.
@@ -64,7 +64,7 @@ pub struct Rules {
 object_only!(Rules);
 
 impl Rules {
-    /// What becomes of an agent where it arrives: one without a goal always stays.
+    /// The rule for an agent where it arrives: one without a goal always stays.
     pub const fn at_end_of(self, agent: &Agent) -> AtGoal {
         match agent.goal {
             Some(_) => self.at_goal,

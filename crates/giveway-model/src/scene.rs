@@ -17,7 +17,7 @@ use crate::{Agent, Assumption, Objective, Rules, Version};
 pub struct Scene {
     /// The version of the format.
     pub giveway: Version,
-    /// What a person calls it; may be empty.
+    /// The name that a person gave it; may be empty.
     #[serde(default, deserialize_with = "crate::object::null_is_default")]
     pub name: String,
     /// The rows of the map, from the top: `.` free, `#` obstacle, `~` slow
@@ -31,7 +31,7 @@ pub struct Scene {
     pub objective: Objective,
     /// The agents.
     pub agents: Vec<Agent>,
-    /// What the scene takes for granted, where it was read from a file of another maker.
+    /// The assumptions of the scene, where it was read from a file of another maker.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub assumptions: Vec<Assumption>,
 }

@@ -34,7 +34,7 @@ pub fn sort_by<T>(entries: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
             _ => Ordering::Equal,
         },
     );
-    // What belongs to a place may have been moved on by an earlier exchange.
+    // The item of a place may have been moved on by an earlier exchange.
     for place in 0..order.len() {
         let mut from = order[place];
         while from < place {

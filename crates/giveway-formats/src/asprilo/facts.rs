@@ -1,4 +1,4 @@
-//! What the facts of a file say: the things of the warehouse, and what robots do.
+//! The facts of a file: the things of the warehouse, and the acts of robots.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,7 +21,7 @@ pub(super) struct Order {
     pub(super) lines: Vec<(Id, Option<i32>)>,
 }
 
-/// What a robot does in a step.
+/// The act of a robot in a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Doing {
     /// Goes on by so much.
@@ -46,7 +46,7 @@ pub(super) struct Warehouse {
     /// The shelves of each product, ascending.
     pub(super) products: BTreeMap<Id, Vec<Id>>,
     pub(super) orders: BTreeMap<Id, Order>,
-    /// What each robot does at each time; with the byte of its fact.
+    /// The act of each robot at each time, with the byte of its fact.
     pub(super) doings: BTreeMap<Id, BTreeMap<i32, (Doing, usize)>>,
     /// Facts that are not looked at, by what they are about.
     pub(super) others: BTreeMap<String, usize>,
@@ -79,7 +79,7 @@ pub(super) fn read(text: &str) -> Result<Warehouse, Fault> {
 }
 
 impl Warehouse {
-    /// What the facts that are not looked at are about.
+    /// The names of the facts that are not read.
     pub(super) fn unknown(&self) -> UnknownKeys {
         let mut unknown = UnknownKeys::default();
         for about in self.others.keys() {

@@ -11,7 +11,7 @@ use giveway_model::format::text::at_byte;
 use giveway_model::words::count;
 use giveway_model::{Fault, LeftOutRule, MAX_AGENTS, tr};
 
-/// What the language of asprilo says of its numbers.
+/// The numbers as the language of asprilo documents them.
 const DOCUMENTED: Conventions = Conventions {
     cells: CellOrder::ColumnRow,
     origin: Origin::One,
@@ -87,7 +87,7 @@ fn walk(doings: &BTreeMap<i32, (Doing, usize)>, steps: &mut Steps) -> Result<Vec
     Ok(moves)
 }
 
-/// What is to be said of a plan with so many actions that are no moves.
+/// The remarks on a plan with so many actions that are no moves.
 fn notes(warehouse: &Warehouse, standing: usize) -> Vec<String> {
     let mut notes = match standing {
         0 => Vec::new(),
@@ -104,7 +104,7 @@ fn notes(warehouse: &Warehouse, standing: usize) -> Vec<String> {
     notes
 }
 
-/// What a robot lifts and delivers, and when.
+/// The goods that a robot lifts and delivers, and when.
 fn handling(doings: &BTreeMap<i32, (Doing, usize)>) -> Vec<(usize, Handling)> {
     let handled = doings.iter().filter_map(|(&time, &(doing, _))| {
         let handling = match doing {

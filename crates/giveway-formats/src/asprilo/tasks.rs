@@ -1,4 +1,4 @@
-//! What robots are to do: orders given to them in turn.
+//! The tasks of robots: orders given to them in turn.
 
 use std::collections::BTreeSet;
 
@@ -95,7 +95,7 @@ pub(super) fn in_turn(warehouse: &Warehouse, notes: &mut Vec<String>) -> Vec<Tas
     tasks
 }
 
-/// What is ordered.
+/// The orders.
 pub(super) fn orders(warehouse: &Warehouse) -> Orders {
     let lines = warehouse.orders.iter().flat_map(|(&id, order)| {
         let lines = order.lines.iter();

@@ -21,7 +21,7 @@ pub(super) struct Term<'a> {
     pub(super) kind: Kind<'a>,
 }
 
-/// What a term is.
+/// The kind of a term.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Kind<'a> {
     Number(i32),
@@ -234,7 +234,7 @@ impl<'a> Facts<'a> {
         Err(self.unexpected(begin, tr!("a closing quote in its line")))
     }
 
-    /// What stands between parentheses.
+    /// The arguments between parentheses.
     fn arguments(&mut self, depth: usize) -> Result<Vec<Term<'a>>, Fault> {
         self.cursor.skip(1);
         let mut terms = Vec::new();

@@ -100,7 +100,7 @@ fn map(warehouse: &Warehouse) -> Vec<String> {
     (1..=height.unwrap_or(0)).map(row).collect()
 }
 
-/// What is in the file and not in the scene.
+/// The parts of the file that are not in the scene.
 fn left_out(warehouse: &Warehouse) -> Option<String> {
     let shelves = match warehouse.shelves.len() {
         1 => "1 shelf".to_owned(),

@@ -1,12 +1,12 @@
-//! What files lack to make a scene: a map, or the problem of a solution.
+//! The files that are missing for a scene: a map, or the problem of a solution.
 
 use super::{Missing, Refused};
 use crate::Format;
 use giveway_model::format::{base_name, stem};
 use giveway_model::tr;
 
-/// What a file without a map lacks: the problem of its makers' own format, else a
-/// map, by its name where the file tells it.
+/// The file that is missing beside a file without a map: the problem in its makers' own format, else a map,
+/// by its name where the file tells it.
 pub(super) fn missing(file: String, format: Format, map: Option<&str>) -> Refused {
     if let Some(problem) = problem(format) {
         return Refused::Missing {

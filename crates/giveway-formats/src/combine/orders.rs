@@ -6,12 +6,12 @@ use super::open::is_free;
 use crate::{Handling, Orders, WrittenPlan};
 use giveway_model::{Cell, Plan, Scene, tr};
 
-/// What the robots of a plan handle, and when, by their names.
+/// The goods that the robots of a plan handle, and when, by the robots' names.
 #[derive(Default)]
 pub(super) struct Handled<'a>(BTreeMap<&'a str, &'a [(usize, Handling)]>);
 
 impl<'a> Handled<'a> {
-    /// What is handled in a plan.
+    /// The goods that are handled in a plan.
     pub(super) fn of(plan: &'a WrittenPlan) -> Self {
         let named = plan
             .agents
@@ -88,7 +88,7 @@ fn cells_of(scene: &Scene) -> impl Iterator<Item = Cell> {
     rows.flat_map(|(y, row)| (0..).zip(row.chars()).map(move |(x, _)| Cell::new(x, y)))
 }
 
-/// What is ordered and not delivered.
+/// The orders that are not delivered.
 fn undelivered(orders: &Orders, handled: &Handled<'_>) -> Vec<String> {
     let mut delivered: BTreeMap<(i32, i32), Option<i64>> = BTreeMap::new();
     for (order, product, amount) in handled.deliveries() {

@@ -1,4 +1,4 @@
-//! What becomes of files that are combined: a scene with its plans, or why there is none.
+//! The result of combining files: a scene with its plans, or why there is none.
 
 use std::collections::BTreeMap;
 
@@ -28,23 +28,22 @@ pub struct ForeignPlan {
     pub alternatives: Vec<Alternative>,
     /// How well it fits the scene.
     pub fit: Fit,
-    /// What its file says that it costs.
+    /// The costs that its file claims.
     pub claimed: Claimed,
-    /// What it would cost if every step that its file writes counted, waits at the
-    /// goal after the arrival too.
+    /// Its costs if every step that its file writes counted, waits at the goal after the arrival too.
     pub written: Claimed,
     /// Where agents that turn look at each time; empty where none does.
     pub headings: BTreeMap<String, Vec<Heading>>,
-    /// What a person should know, each a sentence.
+    /// Remarks for a person, each a sentence.
     pub notes: Vec<String>,
     /// The plan; it may break any rule.
     pub plan: Plan,
-    /// What its file says that every plan costs at least.
+    /// The lower bounds of every plan that its file claims.
     pub bounds: ClaimedBounds,
 }
 
 impl ForeignPlan {
-    /// That where its robots look is lost in every format that is written, a phrase.
+    /// The phrase that every format that is written loses the headings of its robots, where it has some.
     pub fn lost_headings(&self) -> Option<String> {
         (!self.headings.is_empty()).then(|| {
             let robots = count(self.headings.len(), "robot");
@@ -60,7 +59,7 @@ pub struct Combined {
     pub instance: Instance,
     /// The plans, in the order of the files.
     pub plans: Vec<ForeignPlan>,
-    /// What a person should know about the scene, each a sentence.
+    /// Remarks on the scene for a person, each a sentence.
     pub notes: Vec<String>,
 }
 
@@ -84,16 +83,16 @@ pub enum Refused {
     File {
         /// Its name.
         file: String,
-        /// What is wrong with it.
+        /// Its faults.
         faults: Vec<Fault>,
     },
     /// A file of another kind is needed beside them.
     Missing {
         /// The file that needs it.
         file: String,
-        /// What is missing.
+        /// The missing file.
         what: Missing,
-        /// That in a sentence, with what to do.
+        /// A sentence about it, with what to do.
         sentence: String,
     },
     /// The files do not belong together; a sentence.

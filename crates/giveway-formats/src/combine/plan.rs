@@ -42,7 +42,7 @@ impl<'a> Read<'a> {
         }
     }
 
-    /// What its agents handle on the way.
+    /// The goods that its agents handle on the way.
     pub(super) fn handled(&self) -> Handled<'_> {
         match &self.body {
             Body::Own(..) => Handled::default(),
@@ -135,7 +135,7 @@ fn every_step(plan: &Plan) -> Claimed {
     }
 }
 
-/// What is known of the tasks, to decide how a plan is to be read.
+/// The tasks as far as they are known, to decide how a plan is read.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tasks {
     /// Nothing: they were taken from the plan itself.
@@ -223,8 +223,8 @@ fn paths(plan: &WrittenPlan, instance: &Instance, pairing: Pairing, decision: De
     }
 }
 
-/// That waits at the goal are left out, which are no part of a path where robots leave the map
-/// at their goals.
+/// The remark that waits at the goal are left out: they are no part of a path where robots leave the map at
+/// their goals.
 fn cut(before: &Plan, after: &Plan, instance: &Instance) -> Option<String> {
     if instance.stays() {
         return None;

@@ -10,7 +10,7 @@ use crate::movingai::{Scenario, to_scene};
 use giveway_model::format::stem;
 use giveway_model::{Fault, Grid, Scene, tr};
 
-/// What a scenario gives.
+/// The tasks of a scenario.
 pub(super) enum Tasks {
     /// A scene, with sentences about it.
     Scene(Scene, Vec<String>),
@@ -82,7 +82,7 @@ pub(super) fn tasks(
     Ok(Tasks::Scene(scene, vec![note]))
 }
 
-/// What is wrong with a line by itself.
+/// The fault of a line by itself.
 fn alone(grid: &Grid, route: &crate::movingai::Route) -> Option<Fault> {
     let one = Scenario {
         routes: vec![route.clone()],

@@ -10,7 +10,7 @@ use crate::{Format, Remarks, WrittenPlan};
 use giveway_model::format::{base_name, stem};
 use giveway_model::{Cost, Grid, Instance, Objective, Scene, tr};
 
-/// What was found of a scene so far, each part with the name of its file.
+/// The parts of a scene that were found so far, each with the name of its file.
 #[derive(Default)]
 pub(super) struct Base {
     scene: Option<(String, (Format, Scene, Remarks))>,
@@ -23,7 +23,7 @@ pub(super) struct Settled {
     pub(super) instance: Instance,
     /// The file of the map, where it is one of its own.
     pub(super) map_file: Option<String>,
-    /// What its file says beyond it.
+    /// The remarks of its file.
     pub(super) remarks: Remarks,
     /// The file of the plan whose paths say what the tasks are, where nothing else
     /// does: they tell nothing about how that plan is to be read.
@@ -171,7 +171,7 @@ impl Base {
     }
 }
 
-/// That a scenario or a plan is used with a map of another name than it says.
+/// The remark that a scenario or a plan is used with a map of another name than it states.
 pub(super) fn another_map(file: &str, map: Option<&str>, map_file: &str) -> Option<String> {
     let map = base_name(map?.trim());
     let is_named = map_file
@@ -188,9 +188,9 @@ pub(super) fn another_map(file: &str, map: Option<&str>, map_file: &str) -> Opti
     })
 }
 
-/// What the makers of a format minimise, where the format itself does not say it:
-/// plans of elsewhere are judged by that. The project's own files do say it, and
-/// planners for asprilo look for the smallest makespan, which is the default here.
+/// The objective of the makers of a format, where the format itself states none: plans of other planners are
+/// judged by it. The project's own files state it, and planners for asprilo look for the smallest makespan,
+/// which is the default here.
 fn of_makers(format: Format) -> Option<Objective> {
     match format {
         Format::Giveway | Format::Asprilo => None,
@@ -198,7 +198,7 @@ fn of_makers(format: Format) -> Option<Objective> {
     }
 }
 
-/// What the makers of most planners minimise.
+/// The objective of the makers of most planners.
 pub(super) fn sum_first() -> Objective {
     Objective::new(vec![Cost::SumOfCosts, Cost::Makespan]).unwrap_or_default()
 }

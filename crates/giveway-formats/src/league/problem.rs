@@ -164,8 +164,8 @@ pub(crate) fn scene(
     Ok((scene, notes))
 }
 
-/// What the scene of a problem takes for granted: tasks were given to the robots, whose program
-/// chooses them there; robots of the League turn; errands are done in their order.
+/// The assumptions of a problem's scene: tasks were given to the robots, whose program chooses them there;
+/// robots of the League turn; errands are done in their order.
 fn assumptions(agents: &[Agent], has_order: bool) -> Vec<Assumption> {
     let has_tasks = agents.iter().any(|agent| agent.goal.is_some());
     let left_out = |rule| Assumption::RuleLeftOut { rule };

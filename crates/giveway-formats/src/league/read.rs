@@ -17,7 +17,7 @@ use giveway_model::format::text::shorten;
 use giveway_model::words::count;
 use giveway_model::{Fault, LeftOutRule, tr};
 
-/// What the League documents.
+/// The numbers as the League documents them.
 const DOCUMENTED: Conventions = Conventions {
     cells: CellOrder::RowColumn,
     origin: Origin::Zero,

@@ -15,7 +15,7 @@ pub(super) fn unexpected(text: &str, offset: usize, expected: impl Into<String>)
     Fault::at(format!("[{offset}]"), found, expected)
 }
 
-/// What a letter of the action model `MAPF_T` means.
+/// The meaning of a letter of the action model `MAPF_T`.
 pub(super) const fn turning(letter: u8) -> Option<Action> {
     match letter {
         b'F' => Some(Action::Forward),
@@ -26,7 +26,7 @@ pub(super) const fn turning(letter: u8) -> Option<Action> {
     }
 }
 
-/// What a letter of the action model `MAPF` means.
+/// The meaning of a letter of the action model `MAPF`.
 pub(super) const fn plain(letter: u8) -> Option<Move> {
     match letter {
         b'U' => Some(Move::Up),

@@ -50,7 +50,7 @@ pub(super) fn actions(text: &str, full: u32, steps: &mut Steps) -> Result<Vec<Ac
 struct Robot {
     full: u32,
     counter: u32,
-    /// What it is doing while the counter is not 0.
+    /// The action under way while the counter is not 0.
     begun: Action,
     actions: Vec<Action>,
 }

@@ -108,8 +108,8 @@ struct Visit {
     cell: Cell,
 }
 
-/// What the robots visit, robot by robot and in the order of their waypoints: the
-/// number of a visit is that of its task.
+/// The visits of the robots, robot by robot and in the order of their waypoints: the number of a visit is
+/// that of its task.
 fn visits(instance: &Instance, paths: &WholeSteps) -> Vec<Visit> {
     let mut visits = Vec::new();
     for (robot, (agent, path)) in instance.agents().iter().zip(&paths.paths).enumerate() {

@@ -17,9 +17,9 @@ const BYTES: char = 'b';
 /// Plans of elsewhere, and which of them is looked at.
 #[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct AuditedPlans {
-    /// What each file tells, with its plan.
+    /// The reading of each file, with its plan.
     pub files: Vec<ForeignPlan>,
-    /// What was noted of the scene.
+    /// The notes on the scene.
     pub notes: Vec<String>,
     /// The number of the plan that is looked at.
     pub chosen: u32,

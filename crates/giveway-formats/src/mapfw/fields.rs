@@ -28,7 +28,7 @@ impl Problem {
     }
 }
 
-/// What the server sends.
+/// The problem as the server sends it.
 #[derive(Deserialize)]
 pub(super) struct Download<'a> {
     #[serde(borrow)]
@@ -42,7 +42,7 @@ pub(super) struct Sent<'a> {
     pub(super) problem: Text<'a>,
 }
 
-/// What a client sends back.
+/// The solution as a client sends it back.
 #[derive(Deserialize)]
 pub(super) struct Upload {
     pub(super) solutions: Vec<Solved>,

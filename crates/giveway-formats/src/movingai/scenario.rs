@@ -15,7 +15,7 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// What a person should know of the file, a sentence.
+    /// A remark on the file, a sentence.
     pub fn note(&self) -> Option<String> {
         self.lacks_version.then(|| {
             tr!("The scenario has no line \"version 1\" at its beginning; it is read as version 1.").to_owned()

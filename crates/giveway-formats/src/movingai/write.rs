@@ -66,8 +66,7 @@ pub fn write_scenario(map_name: &str, instance: &Instance) -> Result<String, Fau
     Ok(text)
 }
 
-/// What of an instance is lost in MovingAI files; empty where nothing is. The
-/// name of the instance is that of the files.
+/// The parts of an instance that are lost in MovingAI files. The name of the instance is that of the files.
 pub fn losses(instance: &Instance) -> Vec<Loss> {
     loss::losses(&[], Some(instance), None)
 }

@@ -93,7 +93,7 @@ fn statistics(lines: &mut Lines<'_>, claimed: &mut Claimed) -> Option<()> {
     (!is_empty).then_some(())
 }
 
-/// What is left of a text.
+/// The rest of a text.
 struct Lines<'a> {
     rest: &'a str,
     /// The number of its first line, from 1.

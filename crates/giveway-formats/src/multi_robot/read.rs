@@ -9,7 +9,7 @@ use crate::{Conventions, Held, WrittenAgent, WrittenPlan};
 use giveway_model::compare::Claimed;
 use giveway_model::{Assumption, Fault, tr, tr_later};
 
-/// What was read of a file.
+/// The parts of a file.
 #[derive(Default)]
 struct Parts {
     map: Option<Map>,
@@ -17,7 +17,7 @@ struct Parts {
     moving: Vec<Assumption>,
     claimed: Claimed,
     schedule: Option<Vec<WrittenAgent>>,
-    /// What is to be said of the schedule.
+    /// A remark on the schedule.
     note: Option<String>,
 }
 
@@ -41,7 +41,7 @@ pub(super) fn plan(
     }
 }
 
-/// What a text holds, by a parser of all of YAML.
+/// The content of a text, by a parser of all of YAML.
 pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
     let mut yaml = Yaml::new(text);
     let mut parts = Parts::default();

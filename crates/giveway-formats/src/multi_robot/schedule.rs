@@ -80,7 +80,7 @@ pub(super) fn agents(
     Ok((agents, gaps(with_gaps)))
 }
 
-/// That agents have no state at some times, a sentence.
+/// The remark that agents have no state at some times, a sentence.
 pub(super) fn gaps(mut names: Vec<String>) -> Option<String> {
     let more = names.len().saturating_sub(MAX_NAMED);
     names.truncate(MAX_NAMED);

@@ -23,7 +23,7 @@ pub(super) const KEYS: [&str; 12] = [
     "solution",
 ];
 
-/// What is known before the steps.
+/// The lines before the steps.
 #[derive(Debug, Default)]
 pub(super) struct Header {
     pub(super) agents: Option<usize>,

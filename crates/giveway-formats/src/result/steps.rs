@@ -5,7 +5,7 @@ use crate::limits::{Steps, robots};
 use crate::{Pair, WrittenAt};
 use giveway_model::{Fault, tr, tr_later};
 
-/// What the steps say.
+/// The content of the steps.
 #[derive(Debug, Default)]
 pub(super) struct Read {
     /// The cells of each robot.

@@ -23,8 +23,8 @@ pub(super) fn sniff(text: &str) -> bool {
     separator(text).is_some()
 }
 
-/// What stands between the columns, if the first line names a column of plans: a comma, or what
-/// a spreadsheet writes instead.
+/// The separator of the columns, if the first line names a column of plans: a comma, or the mark that a
+/// spreadsheet writes instead.
 fn separator(text: &str) -> Option<char> {
     let line = table(text).lines().next().unwrap_or("");
     [',', ';', '\t'].into_iter().find(|&separator| {

@@ -60,7 +60,7 @@ impl History {
     }
 }
 
-/// What was found and what was expected.
+/// Found, and expected.
 pub(super) type Reason = (String, String);
 
 /// The world while changes are applied to it.

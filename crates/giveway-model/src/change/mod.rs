@@ -29,7 +29,7 @@ pub const MAX_DELAY: u32 = 10_000;
 /// The most changes of one plan.
 pub const MAX_CHANGES: usize = 10_000;
 
-/// What changes while a plan runs, in any order of time.
+/// The changes while a plan runs, in any order of time.
 ///
 /// ```
 /// use giveway_model::{change::What, format::native};
@@ -60,7 +60,7 @@ pub struct Changes {
 object_only!(Changes);
 
 impl Changes {
-    /// What is wrong with the list as a whole, whatever the plan.
+    /// The faults of the list as a whole, whatever the plan.
     ///
     /// # Errors
     /// Where there are too many changes.
@@ -104,11 +104,11 @@ impl Changes {
 pub struct Change {
     /// When, in steps from 0.
     pub at: u32,
-    /// What.
+    /// The kind of change, with its place and agent.
     pub what: What,
 }
 
-/// What changes.
+/// The kind of a change.
 #[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
 pub enum What {
     /// An agent appears at its start; `initial` is its level then.

@@ -179,7 +179,7 @@ pub(super) fn obstacle_on(cell: Cell, other: Taken<'_>, at: u32) -> Reason {
     )
 }
 
-/// Who is at a cell, or on its way into it.
+/// The agent at a cell, or on its way into it.
 fn other_at(other: Taken<'_>, at: u32) -> String {
     let name = other.name;
     if other.is_entering {

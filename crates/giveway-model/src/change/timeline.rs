@@ -1,4 +1,4 @@
-//! What one agent has to do, and how that changed over time.
+//! The timeline of an agent: its task, and the changes to it over time.
 
 use crate::{Agent, Battery, Cell, sorting};
 

@@ -28,7 +28,7 @@ pub struct Trajectory<'a> {
     pub path: &'a [Option<Cell>],
     /// The times at which the plan says that it charges, as listed.
     pub charges: &'a [u32],
-    /// What the plan says that it slept through, before a change woke it.
+    /// The spans of time that the plan has it rest through, before a change woke it.
     slept: &'a [[u32; 2]],
     /// Whether agents with a goal stay at it.
     stays: bool,
@@ -149,7 +149,7 @@ impl<'a> Trajectory<'a> {
     /// charging, before what changes at a time; `None` where it does not.
     pub fn rests_since(&self, time: u32) -> Option<u32> {
         let (goal, goal_since) = self.timeline.goal_before(time);
-        // Who is removed at that time is there no more.
+        // An agent that is removed at that time is gone.
         let gone = self.timeline.until == Some(time);
         let last = time.checked_sub(u32::from(gone))?;
         let rest = self.at(last)?;
@@ -173,7 +173,7 @@ impl<'a> Trajectory<'a> {
         for waypoint in self.timeline.waypoints.iter().filter(before) {
             since = since.max(self.visit(waypoint).filter(|&visit| visit <= time)?);
         }
-        // What had to be visited until it was dropped was in its way up to then.
+        // A waypoint was part of its task until it was dropped.
         for waypoint in &self.timeline.waypoints {
             if let Some(dropped) = waypoint.dropped.filter(|&dropped| dropped < time)
                 && self.visit(waypoint).is_none_or(|visit| visit > dropped)
@@ -214,7 +214,7 @@ impl<'a> Trajectory<'a> {
             wait.visit(waypoint)
         });
         let arrival = visits.fold(arrival, u32::max);
-        // What had to be visited until it was dropped was in its way up to then.
+        // A waypoint was part of its task until it was dropped.
         let dropped = self.timeline.waypoints.iter().filter_map(|waypoint| {
             let dropped = waypoint.dropped?;
             let visit = self.visit(waypoint);

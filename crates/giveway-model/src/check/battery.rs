@@ -63,7 +63,7 @@ pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings
     let Some(battery) = walk.agent.battery else {
         return;
     };
-    // Who arrived before time 0 and stays uses no battery.
+    // An agent that arrived before time 0 and stays uses no battery.
     if walk.arrival() == 0 && instance.start_state(&walk.agent.name).rested > 0 {
         return;
     }

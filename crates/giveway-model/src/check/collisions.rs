@@ -40,11 +40,11 @@ pub(super) fn find(instance: &Instance, walks: &[Walk<'_>], findings: &mut Findi
 struct Sweep<'a> {
     instance: &'a Instance,
     walks: &'a [Walk<'a>],
-    /// Who is where now, having not arrived earlier.
+    /// The agents at each vertex now, but for those that arrived earlier.
     now: Occupancy<'a>,
-    /// Who was where one step before, having not arrived earlier.
+    /// The agents at each vertex one step before, but for those that arrived earlier.
     before: Occupancy<'a>,
-    /// Who arrived earlier and stays.
+    /// The agents that arrived earlier and stay.
     resting: Occupancy<'a>,
 }
 

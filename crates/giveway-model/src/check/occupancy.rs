@@ -1,4 +1,4 @@
-//! Who is at which vertex at one time.
+//! Occupancy: the agents at each vertex at one time.
 
 use crate::{Cell, Grid};
 

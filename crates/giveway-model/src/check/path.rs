@@ -17,7 +17,7 @@ pub(super) fn find(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings
 
 fn find_ends(instance: &Instance, walk: &Walk<'_>, findings: &mut Findings<'_>) {
     let agent = walk.agent;
-    // Who begins half way along a slow move is at its start one step later.
+    // An agent that begins half way along a slow move is at its start one step later.
     let in_transit = instance.start_state(&agent.name).transit_from.is_some();
     let first = if in_transit {
         walk.at(0).or(walk.at(1))

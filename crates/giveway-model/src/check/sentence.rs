@@ -1,4 +1,4 @@
-//! What a violation says to a person: one sentence each.
+//! Violations as sentences for a person.
 
 use super::charges::NoCharge;
 use super::steps::Broken;

@@ -2,7 +2,7 @@
 
 use crate::{Cell, Grid};
 
-/// What an agent does from one listed cell to the next.
+/// The step of an agent from one listed cell to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     /// It waits a step.

@@ -3,7 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-/// What a file says that its plan costs, by its maker's definitions.
+/// The costs that a file claims for its plan, by its maker's definitions.
 #[derive(
     Clone,
     Copy,
@@ -26,7 +26,7 @@ pub struct Claimed {
     pub sum_of_costs: Option<u64>,
 }
 
-/// What a file says that every plan costs at least, and a cost that is compared by its own
+/// The costs that a file claims as lower bounds of every plan, and a cost that is compared by its own
 /// definition.
 #[derive(
     Clone,

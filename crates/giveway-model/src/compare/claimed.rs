@@ -1,5 +1,5 @@
-//! What a file says that its plan costs, beside what it costs here, and by which
-//! other definition its makers may have counted.
+//! Compares the costs that a file claims for its plan with the costs here, and names the other definition by
+//! which its makers may have counted.
 
 use std::cell::OnceCell;
 
@@ -59,7 +59,7 @@ impl Definition {
 pub struct ClaimedCost {
     /// The cost.
     pub cost: Cost,
-    /// What the file says.
+    /// The value that the file claims.
     pub claimed: u64,
     /// By this project's definition; `null` where an agent has no path.
     pub counted: Option<u32>,
@@ -109,7 +109,7 @@ pub fn claims(
     .collect()
 }
 
-/// What a cost is by the definitions of others, the most frequent first.
+/// The value of a cost by the definitions of others, the most frequent first.
 fn definitions(
     instance: &Instance,
     plan: &Plan,

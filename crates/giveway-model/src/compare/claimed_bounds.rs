@@ -1,4 +1,4 @@
-//! What a file says that every plan costs at least, beside what is known here.
+//! Compares the lower bounds that a file claims with the bounds here.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use crate::check::{check, costs};
 use crate::words::name;
 use crate::{Cost, Instance, Plan, tr};
 
-/// What a bound is of.
+/// The cost that is bounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Bounded {
@@ -41,11 +41,11 @@ impl Bounded {
 /// A lower bound that a file claims.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ClaimedBound {
-    /// What it is of.
+    /// The cost that is bounded.
     pub of: Bounded,
-    /// What the file says.
+    /// The bound that the file claims.
     pub claimed: u64,
-    /// What is proved here.
+    /// The bound that is proved here.
     pub proved: Option<u32>,
     /// The least that a legal plan is known to have.
     pub legal: Option<u64>,
@@ -117,7 +117,7 @@ pub fn claimed_bounds(
     all.collect()
 }
 
-/// That a legal plan has another sum of loss than its file says, a sentence.
+/// The sentence that a legal plan has another sum of loss than its file claims, where that is so.
 pub fn claimed_loss(instance: &Instance, plan: &Plan, claimed: ClaimedBounds) -> Option<String> {
     let claimed = claimed.loss?;
     let counted = away_from_goal(instance, plan);

@@ -1,4 +1,4 @@
-//! What became of one agent from one plan to another.
+//! The difference of one agent from one plan to another.
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,8 @@ use crate::Cell;
 /// An agent's entries and charges in a plan, from some time on.
 type Part<'a> = (&'a [Option<Cell>], &'a [u32]);
 
-/// What became of an agent. The one definition, for plans compared and for plans
-/// that go on after a change.
+/// The difference of an agent. The one definition, for plans compared and for plans that go on after a
+/// change.
 #[derive(
     Clone,
     Copy,

@@ -35,7 +35,7 @@ pub struct Comparison {
     pub agents: Vec<AgentComparison>,
 }
 
-/// What became of one agent.
+/// The difference of one agent.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct AgentComparison {
     /// Its name.

@@ -90,7 +90,7 @@ impl Condition {
     }
 }
 
-/// What an agent does.
+/// The clause that an agent does something.
 fn doing(agent: &str, did: &str, does: &str) -> Clause {
     Clause {
         would: format!("{agent} {did}"),
@@ -98,7 +98,7 @@ fn doing(agent: &str, did: &str, does: &str) -> Clause {
     }
 }
 
-/// What an agent does not do.
+/// The clause that an agent never does something.
 fn never(agent: &str, act: Act, times: Times) -> Clause {
     let what = match act {
         Act::Visit(at) => {
@@ -149,7 +149,7 @@ fn never(agent: &str, act: Act, times: Times) -> Clause {
     }
 }
 
-/// What an agent has less of.
+/// The clause that an agent has less of a cost.
 fn below(agent: &str, cost: Cost, below: u32) -> Clause {
     match cost {
         Cost::Makespan | Cost::SumOfCosts => Clause {

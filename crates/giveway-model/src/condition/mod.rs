@@ -33,7 +33,7 @@ pub enum Condition {
     Never {
         /// The agent.
         agent: String,
-        /// What it does not do.
+        /// The act that it must not do.
         act: Act,
         /// When.
         times: Times,
@@ -81,7 +81,7 @@ pub enum Condition {
     },
 }
 
-/// What an agent may do, or not, while it is on its way.
+/// An act of an agent on its way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 pub enum Act {
     /// It is at a cell; resting at its goal counts.

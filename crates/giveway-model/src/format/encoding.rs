@@ -21,7 +21,7 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// What a person should know, where the encoding of a file is an assumption.
+    /// The remark that the encoding of a file is an assumption, where it is one.
     pub fn note(self, file: &str) -> Option<String> {
         (self == Self::Windows1252).then(|| {
             tr!(
@@ -146,7 +146,7 @@ fn windows1252(bytes: &[u8], valid: usize) -> Result<(Cow<'_, str>, Encoding), F
     Ok((Cow::Owned(text), Encoding::Windows1252))
 }
 
-/// What Windows-1252 has in the places of Latin-1's control characters.
+/// The letters of Windows-1252 in the places of Latin-1's control characters.
 const HIGH: [Option<char>; 32] = [
     Some('€'),
     None,

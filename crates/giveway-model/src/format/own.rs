@@ -1,5 +1,5 @@
-//! What JSON of the project's own holds: an instance, a plan, changes, or the result of
-//! a command with the plan within it.
+//! Tells the project's own JSON files apart: an instance, a plan, changes, or the result of a command with
+//! the plan within it.
 
 use std::collections::BTreeMap;
 
@@ -12,14 +12,14 @@ use super::text::without_mark;
 use crate::change::Changes;
 use crate::{Fault, Instance, Plan, Question, tr, tr_later};
 
-/// What a text holds.
+/// The content of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Own {
     /// An instance, checked.
     Scene(Box<Instance>),
     /// A plan, by itself or in a result, with what a person should know of it.
     Plan(Plan, Vec<String>),
-    /// What changes while a plan runs.
+    /// The changes while a plan runs.
     Changes(Changes),
     /// A result that has no plan: what it says, a sentence.
     NoPlan(String),

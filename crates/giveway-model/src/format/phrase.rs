@@ -21,7 +21,7 @@ const KNOWN: [Later; 9] = [
     tr_later!("{names} or {last}"),
 ];
 
-/// What was found and what was expected.
+/// Found, and expected.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Phrase {
     pub(super) found: String,
@@ -160,7 +160,7 @@ fn value(found: &str) -> String {
     }
 }
 
-/// What the library expects, as a phrase.
+/// The library's expectation as a phrase.
 fn expectation(expected: &str) -> String {
     match expected {
         "u32" => tr!("a whole number from 0 to {most}", most = u32::MAX),

@@ -4,8 +4,8 @@
 /// results. The whole accepts any of them; each has a definition of its own,
 /// such as `#/$defs/plan`.
 ///
-/// What a schema cannot say stays with [`Instance::new`](crate::Instance::new)
-/// and the judge: that names differ, that cells lie on the map.
+/// [`Instance::new`](crate::Instance::new) and the judge check the rest, which no schema can: that names
+/// differ, that cells lie on the map.
 ///
 /// ```
 /// let schema: serde_json::Value =

@@ -59,7 +59,7 @@ impl<'a> Positions<'a> {
     }
 }
 
-/// What was found, cut to a length that fits a sentence.
+/// The found text, cut to a length that fits a sentence.
 pub fn shorten(found: &str) -> String {
     const LONGEST: usize = 60;
     let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };

@@ -104,7 +104,7 @@ impl Instance {
         })
     }
 
-    /// What a person calls it; may be empty.
+    /// The name that a person gave it; may be empty.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -140,7 +140,7 @@ impl Instance {
         &self.agents
     }
 
-    /// What the scene takes for granted.
+    /// The assumptions of the scene.
     pub fn assumptions(&self) -> &[Assumption] {
         &self.assumptions
     }

@@ -1,4 +1,4 @@
-//! What the agents of an instance have behind them when it begins.
+//! The state of agents when an instance begins.
 //!
 //! No scene has start states: the rest of a running plan is an instance whose agents
 //! are half way through their tasks ([`Snapshot`](crate::snapshot::Snapshot)). Where an
@@ -9,7 +9,7 @@ use super::Instance;
 use crate::sorting::map;
 use crate::{Agent, Cell, Grid};
 
-/// What an agent has behind it at time 0; by default nothing.
+/// The state of an agent at time 0; by default it has done nothing yet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct StartState {
     /// The cell that it comes from, where at time 0 it is half way along a slow move:
@@ -74,7 +74,7 @@ impl Instance {
         }
     }
 
-    /// What an agent has behind it when the instance begins.
+    /// The state of an agent when the instance begins.
     pub fn start_state(&self, agent: &str) -> &StartState {
         self.start_states.get(agent).unwrap_or(&AT_REST)
     }

@@ -116,7 +116,7 @@ pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(),
     if let Some(is_so) = already_least(question, instance, plan) {
         return Err(Misfit::NotSo { is_so, ask: None });
     }
-    // What is asked about is so, just where the contrast does not hold.
+    // The question fits where the plan does not meet the contrast.
     let order = matches!(question, Question::Order { .. });
     if !order && holds(question, instance, plan, plan) != Some(true) {
         return Ok(());

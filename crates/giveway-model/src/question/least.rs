@@ -5,7 +5,7 @@ use crate::check::{self, Walk};
 use crate::condition::moves;
 use crate::{Cost, Instance, Plan, tr};
 
-/// What is so, where nothing could be less than what is asked about.
+/// The sentence that nothing could be less than the count that is asked about, where that is so.
 pub(super) fn already_least(
     question: &Question,
     instance: &Instance,

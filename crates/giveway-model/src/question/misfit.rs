@@ -14,14 +14,14 @@ use crate::{Fault, tr};
 pub enum Misfit {
     /// It names what does not exist, or not where it could be.
     Fault {
-        /// What was found and what was expected.
+        /// Found, and expected.
         fault: Fault,
     },
     /// It asks about what is not so.
     NotSo {
-        /// What is so, as sentences.
+        /// The facts of the plan, as sentences.
         is_so: String,
-        /// What can be asked, in the words of a question; there need be nothing.
+        /// A question that fits, in the words of a question; there need be none.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ask: Option<Question>,
     },
@@ -43,7 +43,7 @@ impl fmt::Display for Misfit {
 }
 
 impl Misfit {
-    /// What was found and what was expected, with the place in the question.
+    /// Found and expected, with the place in the question.
     pub fn fault(self) -> Fault {
         match self {
             Self::Fault { fault } => fault,

@@ -131,9 +131,9 @@ pub enum Question {
     Order {
         /// The agent.
         agent: String,
-        /// What it visits first.
+        /// The cell that it visits first.
         first: Cell,
-        /// What it visits after that.
+        /// The cell that it visits after that.
         second: Cell,
     },
     /// Why does it arrive only then?

@@ -1,4 +1,4 @@
-//! What is so instead of what a question about one agent asks about.
+//! The facts of a plan that a question about one agent gets wrong.
 
 use super::Misfit;
 use super::{Question, so};
@@ -6,7 +6,7 @@ use crate::check::Walk;
 use crate::condition::{Times, first_visit, goes, moves};
 use crate::{Instance, tr};
 
-/// What is so instead, for the questions about one agent.
+/// The facts of the plan, for the questions about one agent.
 #[expect(clippy::too_many_lines, reason = "an arm for each kind of question")]
 pub(super) fn not_so(
     question: &Question,

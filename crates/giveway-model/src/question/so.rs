@@ -1,4 +1,4 @@
-//! What an agent does in a plan, as parts of sentences.
+//! The acts of an agent in a plan, as parts of sentences.
 
 use crate::check::{Step, Walk, steps};
 use crate::condition::{first_visit, turns};

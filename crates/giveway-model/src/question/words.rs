@@ -17,7 +17,7 @@ pub enum WordsError {
 }
 
 impl WordsError {
-    /// What was found and what was expected.
+    /// Found, and expected.
     pub fn fault(self) -> Fault {
         match self {
             Self::Kind(kind) => {

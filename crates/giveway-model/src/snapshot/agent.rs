@@ -4,7 +4,7 @@ use crate::change::{History, TimedWaypoint, Timeline, Trajectory, Whereabouts};
 use crate::check::{costs_until, level_over_time};
 use crate::{Agent, Breakdown, Cell, Costs, Path, StartState, sorting};
 
-/// What an agent did before a time, and what the running plan has it do from then on.
+/// The past of an agent before a time, and its steps in the running plan from then on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RunningAgent {
     /// Whether it was there before that time.
@@ -77,7 +77,7 @@ impl RunningAgent {
         agent.waypoints.retain(|&cell| has_to_visit(cell));
         let slept = trajectory.sleeps(past.times().filter(|&time| timeline.from < time));
         let is_awake = |time: &u32| !slept.iter().any(|(from, to)| (from..to).contains(&time));
-        // Who goes on later has not arrived, even if it stands at its goal.
+        // An agent that goes on later has not arrived, even if it stands at its goal.
         let keeps = past.keeps(trajectory.timeline);
         let asleep_since = (keeps && trajectory.end() < at).then(|| trajectory.end());
         let mut rested_since = asleep_since.or_else(|| trajectory.rests_since(at));

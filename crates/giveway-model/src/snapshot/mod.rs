@@ -44,7 +44,7 @@ pub struct Snapshot<'a> {
     pub plan: &'a Plan,
     /// The rest as an instance, in times from 0.
     pub instance: Instance,
-    /// What the agents of that instance did and would do next, in its order.
+    /// The past and the next steps of the agents of that instance, in its order.
     pub agents: Vec<RunningAgent>,
 }
 

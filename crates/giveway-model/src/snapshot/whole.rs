@@ -130,7 +130,7 @@ impl Snapshot<'_> {
         }
         let charges = plan.charges.entry(name.clone()).or_default();
         charges.extend(rest.charges(name).iter().map(|time| time + self.at));
-        // What follows the arrival is left out.
+        // The path ends at the arrival.
         let cut = Trajectory::of(self.history, timeline, plan).map(|it| it.path.to_vec());
         if let Some(cut) = cut {
             plan.paths.insert(name.clone(), cut);

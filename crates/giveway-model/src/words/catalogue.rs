@@ -52,7 +52,7 @@ impl Catalogue {
         Box::leak(Box::new(self))
     }
 
-    /// What a text is in this language, if the catalogue has it.
+    /// The translation of a text, if the catalogue has it.
     pub(super) fn text(&'static self, key: &str) -> Option<&'static str> {
         self.forms.get(key)?.first().map(String::as_str)
     }
@@ -74,7 +74,7 @@ pub fn speak(catalogue: Option<&'static Catalogue>) {
     SPOKEN.set(catalogue);
 }
 
-/// What is done while this thread speaks English, such as a text that programs compare.
+/// Runs something while this thread speaks English, such as making a text that programs compare.
 ///
 /// ```
 /// use giveway_model::tr;
@@ -92,7 +92,7 @@ pub fn in_english<T>(done: impl FnOnce() -> T) -> T {
     done
 }
 
-/// What this thread speaks, if it is not English.
+/// The language of this thread, if it is not English.
 pub(super) fn spoken() -> Option<&'static Catalogue> {
     SPOKEN.get()
 }

@@ -140,8 +140,8 @@ pub fn translated(text: &str) -> &str {
     found(text).unwrap_or(text)
 }
 
-/// What the catalogue of the language that is spoken has for a key that data brings; a
-/// context stands before it, with U+0004 between the two.
+/// The translation of a key that data brings, in the language that is spoken; a context stands before it,
+/// with U+0004 between the two.
 pub fn found(key: &str) -> Option<&'static str> {
     spoken()?.text(key)
 }

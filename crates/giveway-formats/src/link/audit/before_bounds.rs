@@ -1,5 +1,4 @@
-//! What files tell, as texts had it before the bounds that they claim: links that were made then
-//! still open.
+//! Readings of files as links had them before claimed bounds were kept: such links still open.
 
 use std::collections::BTreeMap;
 

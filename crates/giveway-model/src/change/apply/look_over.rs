@@ -1,5 +1,5 @@
-//! What can only be seen once everything of a time has changed: two at one cell,
-//! obstacles on agents, goals that are shared.
+//! Faults that show only once everything of a time has changed: two agents at one cell, obstacles on agents,
+//! goals that are shared.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ pub(in super::super) struct Taken<'a> {
 }
 
 impl World<'_> {
-    /// What can only be seen once everything has changed.
+    /// Finds the faults that show only once everything has changed.
     pub(super) fn look_over(&mut self) {
         let mut taken: BTreeMap<Cell, Taken> = BTreeMap::new();
         let mut reasons: Vec<(usize, Reason)> = Vec::new();

@@ -1,5 +1,4 @@
-//! What one agent does wrong by itself: ends, waypoints, obstacles, moves,
-//! breakdowns, charges.
+//! The faults of one agent by itself: ends, waypoints, obstacles, moves, breakdowns, charges.
 
 use super::super::charges::NoCharge;
 use super::super::findings::{Findings, Place};
@@ -132,7 +131,7 @@ fn find_moves(
     find_last_transit(history, index, trajectory, findings);
 }
 
-/// Who is removed half way along an edge must have begun to cross a slow one.
+/// An agent that is removed half way along an edge must have begun to cross a slow one.
 fn find_last_transit(
     history: &History,
     index: usize,

@@ -48,7 +48,7 @@ fn find_times(timeline: &Timeline, plan: &Plan, index: usize, findings: &mut Fin
     let path = plan.path(name);
     let listed = path.len() as u32;
     let due = until.saturating_sub(timeline.from);
-    // Whoever had arrived is known to have been there.
+    // An agent that had arrived was at its last cell.
     let last = path.last().copied().flatten();
     let arrived = last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal));
     if listed > due || (listed < due && !(arrived && listed > 0)) {

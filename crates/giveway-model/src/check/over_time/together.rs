@@ -20,7 +20,7 @@ struct Crossing {
     slow: bool,
 }
 
-/// Who goes from a cell to its neighbour in a step.
+/// The agents that go from a cell to its neighbour in a step.
 type Crossings = BTreeMap<(u32, Cell, Cell), Vec<Crossing>>;
 
 pub(super) fn find(
@@ -37,7 +37,7 @@ fn find_vertices(
     trajectories: &[(usize, Trajectory<'_>)],
     findings: &mut Findings<'_>,
 ) {
-    // Who is at a cell on its way, and who rests there from a time to another.
+    // The agents at a cell on their way, and the agents that rest there from one time to another.
     let mut at: BTreeMap<(u32, Cell), Vec<usize>> = BTreeMap::new();
     let mut resting: BTreeMap<Cell, Vec<(usize, u32, u32)>> = BTreeMap::new();
     for (index, trajectory) in trajectories {

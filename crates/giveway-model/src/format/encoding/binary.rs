@@ -45,7 +45,7 @@ const KINDS: &[(&[u8], Later)] = &[
     (b"SQLite format 3", tr_later!("an SQLite database")),
 ];
 
-/// What bytes are, where they are no text.
+/// The kind of bytes that are no text.
 pub(super) fn kind(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(b"PK\x03\x04") {
         return Some(archive(bytes));

@@ -9,7 +9,7 @@ use super::seal::DIGITS;
 
 /// How often a text may have been encoded as a whole.
 const LEVELS: usize = 3;
-/// What has a meaning in a link and is encoded by some programs, and as what.
+/// The marks that have a meaning in a link and that some programs encode, each with its encoding.
 const MARKS: [(char, &str); 5] = [
     ('!', "21"),
     (';', "3B"),
@@ -17,7 +17,7 @@ const MARKS: [(char, &str); 5] = [
     ('&', "26"),
     ('.', "2E"),
 ];
-/// What stands in an HTML text for `&`.
+/// The forms of `&` in an HTML text.
 const AMPERSANDS: [&str; 5] = ["&amp;", "&#38;", "&#038;", "&#x26;", "&AMP;"];
 /// How a parameter of a tracker begins; `%5F` is `_`, which no link holds.
 const TRACKERS: [&str; 12] = [
@@ -230,7 +230,7 @@ fn marks(text: &str, set: usize) -> String {
     text
 }
 
-/// What is written as in quoted-printable mails: `=3D`, and `=` at the end of a line.
+/// The text without the encoding of quoted-printable mails: `=3D`, and `=` at the end of a line.
 fn printable(text: &str) -> String {
     let lines = text.trim().lines().map(|line| {
         let line = line.trim_end();

@@ -19,7 +19,7 @@ const GROUNDS: [(char, Ground); 5] = [
     ('b', Ground::SlowCharger),
 ];
 
-/// What stands in the place of the goal of an agent that has none.
+/// Stands for the goal of an agent that has none.
 const NO_GOAL: &str = ".-";
 
 /// The parts of a scene, the first of a text.

@@ -26,7 +26,7 @@ pub fn write(text: &str) -> String {
     format!("{version}&{CHECK}{length}.{sum:08x}&{rest}")
 }
 
-/// What the check of a text tells.
+/// The result of the check of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Sealed {
     /// The text has no check.
