@@ -99,17 +99,14 @@ fn judge(case: &str, plan_file: &str) -> Report {
 fn a_cost_is_no_time_and_who_goes_on_has_not_arrived() {
     for (case, makespan, sum, waits) in [
         ("contradiction-070", Some(20), None, None),
-        ("d1-cost_if_it_leaves_goal", Some(7), Some(20), None),
+        ("d1-woken", Some(7), Some(20), None),
         ("c2-fault-revise-at-goal", Some(4), Some(4), Some(2)),
         ("c2b-fault-revise-unknown", None, None, None),
     ] {
         let answer = go_on(case);
         for method in [Method::Revise, Method::Replan] {
             let costs = optimal(&answer, method);
-            if method == Method::Revise
-                || case == "d1-cost_if_it_leaves_goal"
-                || case == "contradiction-070"
-            {
+            if method == Method::Revise || case == "d1-woken" || case == "contradiction-070" {
                 let same = |said: Option<u32>, found: u32| said.is_none_or(|said| said == found);
                 assert!(same(makespan, costs.makespan), "{case} {method} {costs:?}");
                 assert!(same(sum, costs.sum_of_costs), "{case} {method} {costs:?}");
@@ -201,7 +198,7 @@ fn the_changes_that_a_plan_knows_are_past() {
 /// A plan goes on across changes: what was adopted says what it knows.
 #[test]
 fn an_adopted_plan_is_gone_on_with() {
-    let case = "d1-cost_if_it_leaves_goal";
+    let case = "d1-woken";
     let adopted = go_on(case).adopted().unwrap().result.plan.clone().unwrap();
     assert_eq!(adopted.knows, Some(3));
     let mut request = request(case);
@@ -284,7 +281,7 @@ fn a_delay_of_a_million_steps_is_refused() {
 fn bounds_are_no_more_than_costs() {
     for case in [
         "contradiction-070",
-        "d1-cost_if_it_leaves_goal",
+        "d1-woken",
         "c2-fault-revise-at-goal",
         "c3-vanish-at-goal",
     ] {

@@ -8,20 +8,35 @@ use giveway_page::present::Presenting;
 use giveway_page::{Action, Draft, FileAction, Phase, Tab, Tool};
 use yew::prelude::*;
 
+use crate::board::BoardProps;
+use crate::dialog::AgentsProps;
+use crate::dialog::ExamplesProps;
+use crate::dialog::FindProps;
+use crate::dialog::NewSceneProps;
+use crate::dialog::SaveAsProps;
+use crate::dialog::ScenesProps;
+use crate::dialog::ShareProps;
 use crate::dialog::{Agents, Examples, FindRobot, NewScene, Panel, SaveAs, Scenes, Share, help};
 use crate::drop::Drop;
+use crate::drop::DropProps;
 use crate::foreign::use_foreign_changes;
+use crate::inspector::InspectorProps;
 use crate::intake::use_intake;
 use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::language::use_language;
 use crate::lesson::use_course;
+use crate::part::{keyed_part, part};
 use crate::paste::use_paste;
 use crate::present::use_presenting;
 use crate::solver::use_solver;
 use crate::status::StatusBar;
+use crate::status::StatusBarProps;
 use crate::theme::{use_colours, use_theme, wants_less_motion};
+use crate::timeline::DockProps;
+use crate::tools::ToolsProps;
 use crate::top_bar::TopBar;
+use crate::top_bar::TopBarProps;
 use crate::wide::use_wide;
 use crate::{
     Board, Clock, Dock, Inspector, Shown, Tools, compare, embed, glyph, notice, opening, present,
@@ -121,36 +136,34 @@ pub fn App() -> Html {
                 if is_presented {
                     { present::head(&state, &send) }
                 } else {
-                    <TopBar state={settled.clone()} panel={panel.clone()} course={course.clone()}
-                        send={send.clone()} show={show.clone()} />
-                    <StatusBar state={settled.clone()} panel={panel.clone()} send={send.clone()}
-                        show={show.clone()} />
+                    { part::<TopBar>(TopBarProps { state: settled.clone(), panel: panel.clone(), course: course.clone(), send: send.clone(), show: show.clone() }) }
+                    { part::<StatusBar>(StatusBarProps { state: settled.clone(), panel: panel.clone(), send: send.clone(), show: show.clone() }) }
                 }
                 <main class="middle">
                     <div class="stage">
                         if !is_presented {
-                            <Tools tool={state.view.tool} live={tools(&state)} send={send.clone()} />
+                            { part::<Tools>(ToolsProps { tool: state.view.tool, live: tools(&state), send: send.clone() }) }
                         }
                         // Another one before a room: its cells are larger.
-                        <Board key={u32::from(is_presented)} state={state.clone()} send={send.clone()} />
+                        { keyed_part::<Board>(u32::from(is_presented), BoardProps { state: state.clone(), send: send.clone() }) }
                     </div>
                     { compare::show(&settled, &send) }
                 </main>
                 if is_printing { { sheet::head(&state) } }
                 if state.lesson().is_none() && !is_presented {
-                    <Inspector state={state.clone()} send={send.clone()} />
+                    { part::<Inspector>(InspectorProps { state: state.clone(), send: send.clone() }) }
                 }
                 { course.place() }
                 if is_printing { { sheet::foot(&state) } }
                 if is_presented {
                     { present::foot(&state, has_dock && state.plan().is_some(), &send) }
                 } else if has_dock {
-                    <Dock state={settled} send={send.clone()} />
+                    { part::<Dock>(DockProps { state: settled, send: send.clone() }) }
                 }
                 { notice::show(state.view.notice.as_ref(), &send) }
-                <Drop state={state.clone()} send={send.clone()} show={show.clone()} />
+                { part::<Drop>(DropProps { state: state.clone(), send: send.clone(), show: show.clone() }) }
                 if state.view.find.is_some() {
-                    <FindRobot state={state.clone()} send={send.clone()} />
+                    { part::<FindRobot>(FindProps { state: state.clone(), send: send.clone() }) }
                 }
                 { dialog(&panel, &state, &send, &show) }
             </div>
@@ -163,14 +176,20 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
     let send = send.clone();
     let on_close = show.reform(|()| Panel::Nothing);
     match panel {
-        Panel::Examples => html! { <Examples {send} {on_close} /> },
-        Panel::Agents(choice) => html! { <Agents choice={choice.clone()} {send} {on_close} /> },
-        Panel::New => html! { <NewScene {send} {on_close} /> },
-        Panel::SaveAs => html! { <SaveAs state={state.clone()} {send} {on_close} /> },
-        Panel::Scenes => html! { <Scenes state={state.clone()} {send} {on_close} /> },
+        Panel::Examples => html! { { part::<Examples>(ExamplesProps { send, on_close }) } },
+        Panel::Agents(choice) => {
+            html! { { part::<Agents>(AgentsProps { choice: choice.clone(), send, on_close }) } }
+        }
+        Panel::New => html! { { part::<NewScene>(NewSceneProps { send, on_close }) } },
+        Panel::SaveAs => {
+            html! { { part::<SaveAs>(SaveAsProps { state: state.clone(), send, on_close }) } }
+        }
+        Panel::Scenes => {
+            html! { { part::<Scenes>(ScenesProps { state: state.clone(), send, on_close }) } }
+        }
         Panel::Share(link) => {
             let on_lesson = show.reform(|_| Panel::Course("~write".to_owned()));
-            html! { <Share link={link.clone()} name={state.document.draft.scene().name.clone()} {send} {on_lesson} {on_close} /> }
+            html! { { part::<Share>(ShareProps { link: link.clone(), name: state.document.draft.scene().name.clone(), send, on_lesson, on_close }) } }
         }
         Panel::Help => {
             let is_free = state.lesson().is_none() && state.view.presenting == Presenting::Off;

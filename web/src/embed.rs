@@ -7,7 +7,9 @@ use giveway_page::{Action, Notice, PlayAction, State};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
+use crate::board::BoardProps;
 use crate::board::Still;
+use crate::part::part;
 use crate::status::sentence;
 use crate::timeline::play_keys;
 use crate::{Shown, keep, language};
@@ -38,7 +40,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     html! {
         <>
             <header class="status">{ sentence(state) }</header>
-            <Still state={state.clone()} send={send.clone()} />
+            { part::<Still>(BoardProps { state: state.clone(), send: send.clone() }) }
             <footer class="dock">
                 <h1>{ title(state) }</h1>
                 <a href={link} target="_blank" rel="noopener">{ tr!("Open in Giveway") }</a>

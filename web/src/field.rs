@@ -1,5 +1,6 @@
 //! Fields for names and whole numbers.
 
+use crate::part::part;
 use giveway_page::number;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -90,6 +91,6 @@ pub(crate) fn number(
     });
     let text = value.map(|n| n.to_string()).unwrap_or_default();
     html! {
-        <Field {label} value={text} empty={empty.map(AttrValue::from)} {range} on_change={change} />
+        { part::<Field>(FieldProps { label: label.into(), value: text.into(), empty: empty.map(AttrValue::from), range: Some(range), on_change: change }) }
     }
 }

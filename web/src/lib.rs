@@ -29,6 +29,7 @@ mod lesson;
 mod notice;
 mod opening;
 mod paper;
+mod part;
 mod paste;
 mod present;
 mod script;

@@ -12,7 +12,9 @@ use giveway_page::sheet::{Row, Sheet, Table};
 use gloo::events::EventListener;
 use yew::prelude::*;
 
+use crate::board::PaperBoardProps;
 use crate::board::{PaperBoard, hatch};
+use crate::part;
 use crate::{Shown, glyph};
 
 /// Whether the browser is printing the page.
@@ -62,7 +64,7 @@ pub(crate) fn head(state: &Shown) -> Html {
             if !sheet.standing.is_empty() { <p class="stand">{ sheet.standing.clone() }</p> }
             <p class="where">{ sheet.facts.join("; ") }</p>
             <svg class="vh" aria-hidden="true">{ hatch("hatch-paper") }</svg>
-            <figure><PaperBoard state={state.clone()} {cast} /></figure>
+            <figure>{ part::part::<PaperBoard>(PaperBoardProps { state: state.clone(), cast }) }</figure>
             <ul class="legend">{ for sheet.signs.iter().map(|kind| html! { <li><i class={kind.class()}></i>{ kind.on_paper() }</li> }) }</ul>
         </header>
     }

@@ -7,6 +7,8 @@ use giveway_page::{Action, Draft, SlotAction, State, files};
 use yew::prelude::*;
 
 use crate::board::Small;
+use crate::board::SmallProps;
+use crate::part::part;
 use crate::{icon, keep};
 
 /// What is said now, if anything is.
@@ -60,7 +62,7 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
 
 fn small(draft: &std::rc::Rc<Draft>, name: &'static str) -> Html {
     html! {
-        <figure><Small draft={draft.clone()} /><figcaption>{ name }</figcaption></figure>
+        <figure>{ part::<Small>(SmallProps { draft: draft.clone() }) }<figcaption>{ name }</figcaption></figure>
     }
 }
 

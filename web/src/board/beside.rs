@@ -14,6 +14,8 @@ use super::layers::{Place, layers, square};
 use super::viewport::{use_sight, use_viewport};
 use super::{cells, view_box};
 use crate::Shown;
+use crate::board::cells::CellsProps;
+use crate::part::part;
 
 /// Which plan, on the map of which state.
 #[derive(Clone, PartialEq, Properties)]
@@ -69,13 +71,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                 aria-activedescendant={cells::id(name.english(), cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
                 { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default()) }
-                <Cells
-                    of={name.english()}
-                    draft={Rc::clone(world)}
-                    cast={Rc::clone(cast)}
-                    time={state.view.playback.time}
-                    window={Window::around(cursor, &frame, board)}
-                    selection={state.view.selection} />
+                { part::<Cells>(CellsProps { of: name.english(), draft: Rc::clone(world), cast: Rc::clone(cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: Vec::new() }) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>

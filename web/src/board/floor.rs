@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use crate::part::part;
 use giveway_page::Draft;
 use giveway_page::board::{Band, Cast, Floor, FloorLook, Layer, heat, lines};
 use yew::prelude::*;
@@ -68,12 +69,12 @@ pub(super) fn FloorShapes(props: &FloorProps) -> Html {
             { sheet("floor", width, height) }
             { layer(Layer::SlowTint) }
             if look.has_lines() {
-                <Lines {width} {height} />
+                { part::<Lines>(LinesProps { width, height }) }
             }
             { layer(Layer::Slow) }
             { layer(Layer::SlowEdge) }
             if let Some(cast) = used_by {
-                <Heat cast={Rc::clone(cast)} />
+                { part::<Heat>(HeatProps { cast: Rc::clone(cast) }) }
             }
             { layer(Layer::Obstacle) }
             { layer(Layer::ObstacleEdge) }

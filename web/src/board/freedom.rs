@@ -7,6 +7,7 @@ use giveway_page::{State, Tool};
 use yew::prelude::*;
 
 use crate::glyph;
+use crate::part::part;
 
 /// What is drawn, and how fine.
 #[derive(Clone, PartialEq, Properties)]
@@ -25,7 +26,7 @@ pub(super) fn overlay(state: &State, detail: Detail) -> Html {
     }
     let (lines, numbers) = (freedom::lines(state), freedom::numbers(state));
     let selected = state.selected_agent();
-    html! { <Overlay {lines} {numbers} {detail} {selected} /> }
+    html! { { part::<Overlay>(OverlayProps { lines, numbers, detail, selected }) } }
 }
 
 /// Lines and numbers; drawn anew where more became known.

@@ -18,6 +18,13 @@ use super::marks::Marks;
 use super::viewport::Sight;
 use super::ways::Ways;
 use crate::Shown;
+use crate::board::agents::AgentsProps;
+use crate::board::axis::AxisProps;
+use crate::board::floor::FloorProps;
+use crate::board::inside::InsideProps;
+use crate::board::marks::MarksProps;
+use crate::board::ways::WaysProps;
+use crate::part::part;
 
 /// Which of two boards.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -60,18 +67,17 @@ pub(super) fn layers(
     let is_laid_over = place == Place::Board && state.is_laid_over();
     html! {
         <>
-            <FloorShapes draft={Rc::clone(world)} look={FloorLook::of(frame.cell_px)}
-                used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
-            <InsideFloor overlay={overlay.clone()} />
+            { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
+            { part::<InsideFloor>(InsideProps { overlay: overlay.clone() }) }
             if is_laid_over {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails && !is_proof {
-                <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} />
+                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still: None }) }
             }
-            <Agents cast={Rc::clone(cast)} versus={versus.cloned()} {detail} {selected} lit={lit.clone()} {named} sight={Rc::clone(sight)} />
-            <Marks cast={Rc::clone(cast)} {detail} {lit} />
+            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
+            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, still: None }) }
             if detail == Detail::All {
-                <Axis {frame} {board} />
+                { part::<Axis>(AxisProps { frame, board }) }
             }
         </>
     }

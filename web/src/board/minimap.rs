@@ -10,6 +10,8 @@ use yew::prelude::*;
 
 use super::floor::FloorShapes;
 use super::viewport::Look;
+use crate::board::floor::FloorProps;
+use crate::part::part;
 
 /// The longest side, in pixels.
 const SIDE_PX: f64 = 168.0;
@@ -70,7 +72,7 @@ pub(super) fn overview(
             viewBox={format!("0 0 {} {}", 100 * width, 100 * height)}
             width={(f64::from(width) * cell_px).to_string()} height={(f64::from(height) * cell_px).to_string()}
             {onpointerdown} {onpointermove}>
-            <FloorShapes draft={Rc::clone(draft)} look={FloorLook::of(cell_px)} used_by={None::<Rc<_>>} />
+            { part::<FloorShapes>(FloorProps { draft: Rc::clone(draft), look: FloorLook::of(cell_px), used_by: None::<Rc<_>> }) }
             <path class="dots" d={dots[0].clone()} />
             <path class="dots sel" d={dots[1].clone()} />
             <rect class="in-sight" x={map.x.to_string()} y={map.y.to_string()} width={map.width.to_string()} height={map.height.to_string()} />

@@ -45,6 +45,11 @@ use giveway_page::freedom::{claim, notes};
 use giveway_page::{Action, Answer, Selection, Tool, ask, words};
 use yew::prelude::*;
 
+use crate::board::beside::BesideProps;
+use crate::board::cells::CellsProps;
+use crate::board::inside::MarksProps;
+use crate::board::reasons::ReasonsProps;
+use crate::part::part;
 use crate::{Shown, icon};
 use beside::Beside;
 use casts::use_casts;
@@ -54,14 +59,14 @@ pub(crate) use floor::hatch;
 use inside::InsideMarks;
 use layers::{Place, layers, problems, square};
 use legend::{Under, under};
-pub(crate) use paper::PaperBoard;
+pub(crate) use paper::{PaperBoard, PaperBoardProps};
 pub(crate) use picture::picture;
-pub(crate) use preview::Preview;
+pub(crate) use preview::{Preview, PreviewProps};
 use reasons::ReasonMarks;
 pub(crate) use reasons::STAR;
-pub(crate) use small::Small;
+pub(crate) use small::{Small, SmallProps};
 pub(crate) use still::Still;
-pub(crate) use thumb::Thumb;
+pub(crate) use thumb::{Thumb, ThumbProps};
 use viewport::{use_sight, use_viewport};
 
 /// The name of the grid of the plan, and of the one of the other plan.
@@ -155,8 +160,8 @@ pub fn Board(props: &BoardProps) -> Html {
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch("hatch") }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }
-                <ReasonMarks {reasons} cell_px={frame.cell_px} />
-                <InsideMarks overlay={overlay.clone()} cell_px={frame.cell_px} columns={board.0} />
+                { part::<ReasonMarks>(ReasonsProps { reasons, cell_px: frame.cell_px }) }
+                { part::<InsideMarks>(MarksProps { overlay: overlay.clone(), cell_px: frame.cell_px, columns: board.0 }) }
                 { problems(state) }
                 { lesson::marks(state) }
                 { ghost::show(state) }
@@ -166,14 +171,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     }
                     <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
                 </g>
-                <Cells
-                    of={BOARD.english()}
-                    draft={Rc::clone(state.world())}
-                    cast={Rc::clone(&cast)}
-                    time={state.view.playback.time}
-                    window={Window::around(cursor, &frame, board)}
-                    selection={state.view.selection}
-                    notes={notes(state)} />
+                { part::<Cells>(CellsProps { of: BOARD.english(), draft: Rc::clone(state.world()), cast: Rc::clone(&cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: notes(state) }) }
                 { freedom::presses(state, detail) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
@@ -207,8 +205,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 if let Some(other) = other {
                     <figure class="pl other">
                         { caption(OTHER.text(), state.beside(), ask::closeness(state).or_else(|| claim(state))) }
-                        <Beside name={OTHER} state={state.clone()} cast={other} versus={Rc::clone(&cast)}
-                            camera={viewport.camera} {onkeydown} />
+                        { part::<Beside>(BesideProps { name: OTHER, state: state.clone(), cast: other, versus: Some(Rc::clone(&cast)), camera: viewport.camera, onkeydown }) }
                     </figure>
                 }
             </div>

@@ -16,6 +16,12 @@ use super::viewport::use_sight;
 use super::ways::Ways;
 use super::{freedom, view_box};
 use crate::Shown;
+use crate::board::agents::AgentsProps;
+use crate::board::floor::FloorProps;
+use crate::board::marks::MarksProps;
+use crate::board::reasons::ReasonsProps;
+use crate::board::ways::WaysProps;
+use crate::part::part;
 
 /// The room of a board on paper, in pixels: A4 and letter have this beside their margins.
 const ROOM: (f64, f64) = (640.0, 620.0);
@@ -50,16 +56,15 @@ pub(crate) fn PaperBoard(props: &PaperBoardProps) -> Html {
     let px = |units: f64| (units * frame.cell_px / 100.0).to_string();
     html! {
         <svg class={classes!("map", detail.class())} viewBox={view_box(&frame)} width={px(width)} height={px(height)} aria-hidden="true">
-            <FloorShapes draft={Rc::clone(world)} look={FloorLook::of(frame.cell_px)}
-                used_by={state.view.layers.heat.then(|| Rc::clone(cast))} />
+            { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
             if state.is_laid_over() {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails {
-                <Ways cast={Rc::clone(cast)} {selected} ahead={ahead(state)} {still} />
+                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still }) }
             }
-            <Agents cast={Rc::clone(cast)} versus={None::<Rc<Cast>>} {detail} selected={None::<usize>} lit={None::<Vec<usize>>} named={None::<usize>} {sight} {still} />
-            <Marks cast={Rc::clone(cast)} {detail} lit={None::<Vec<usize>>} {still} />
-            <ReasonMarks reasons={board::reasons(state)} cell_px={frame.cell_px} />
+            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: None::<Rc<Cast>>, detail, selected: None::<usize>, lit: None::<Vec<usize>>, named: None::<usize>, sight, still }) }
+            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit: None::<Vec<usize>>, still }) }
+            { part::<ReasonMarks>(ReasonsProps { reasons: board::reasons(state), cell_px: frame.cell_px }) }
             { problems(state) }
             { axis(&frame, size) }
         </svg>

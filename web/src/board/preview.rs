@@ -5,12 +5,15 @@ use giveway_model::words::Later;
 use std::rc::Rc;
 
 use giveway_page::Answer;
+use giveway_page::board::Camera;
 use yew::prelude::*;
 
 use super::beside::Beside;
 use super::casts::renewed;
 use crate::Shown;
+use crate::board::beside::BesideProps;
 use crate::held::use_held;
+use crate::part::part;
 
 /// Which plan, and which one was before it.
 #[derive(Clone, PartialEq, Properties)]
@@ -36,5 +39,5 @@ pub(crate) fn Preview(props: &PreviewProps) -> Html {
         None => (before, None),
     };
     kept.set([this, other]);
-    html! { <Beside name={props.name} state={props.state.clone()} {cast} {versus} /> }
+    html! { { part::<Beside>(BesideProps { name: props.name, state: props.state.clone(), cast, versus, camera: Camera::default(), onkeydown: Callback::noop() }) } }
 }

@@ -8,6 +8,8 @@ use giveway_page::{Draft, form};
 use yew::prelude::*;
 
 use super::floor::FloorShapes;
+use crate::board::floor::FloorProps;
+use crate::part::part;
 
 /// About how large a cell is, in pixels.
 const CELL_PX: f64 = 24.0;
@@ -33,7 +35,7 @@ pub(crate) fn Small(props: &SmallProps) -> Html {
     html! {
         <svg class="map d-forms" viewBox={format!("0 0 {} {}", 100 * grid.width(), 100 * grid.height())}
             aria-hidden="true">
-            <FloorShapes draft={Rc::clone(&props.draft)} look={FloorLook::of(CELL_PX)} used_by={None::<Rc<_>>} />
+            { part::<FloorShapes>(FloorProps { draft: Rc::clone(&props.draft), look: FloorLook::of(CELL_PX), used_by: None::<Rc<_>> }) }
             { for props.draft.agents().iter().enumerate().map(agent) }
         </svg>
     }

@@ -3,11 +3,14 @@
 
 use std::rc::Rc;
 
+use giveway_page::board::Camera;
 use yew::prelude::*;
 
 use super::beside::Beside;
 use super::casts::use_casts;
 use super::{BOARD, BoardProps, floor, keys};
+use crate::board::beside::BesideProps;
+use crate::part::part;
 
 /// The board, all of the map in sight.
 #[component]
@@ -19,8 +22,7 @@ pub(crate) fn Still(props: &BoardProps) -> Html {
     html! {
         <main class="stage">
             <svg class="vh" aria-hidden="true">{ floor::hatch("hatch") }</svg>
-            <Beside name={BOARD} state={state.clone()} cast={Rc::clone(&cast)}
-                versus={None::<Rc<_>>} {onkeydown} />
+            { part::<Beside>(BesideProps { name: BOARD, state: state.clone(), cast: Rc::clone(&cast), versus: None::<Rc<_>>, onkeydown, camera: Camera::default() }) }
         </main>
     }
 }

@@ -12,7 +12,9 @@ use super::film::Film;
 use super::floor::FloorShapes;
 use super::marks::{FLAG, FLAG_CLOTH, FLAG_POLE, STAR};
 use super::reasons::burst;
+use crate::board::floor::FloorProps;
 use crate::held::{Held, use_held};
+use crate::part::part;
 
 /// About how large a cell is, in pixels.
 const CELL_PX: f64 = 12.0;
@@ -65,7 +67,7 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
     });
     html! {
         <svg class="map d-forms" viewBox={format!("-6 -6 {} {}", 100 * width + 12, 100 * height + 12)} aria-hidden="true">
-            <FloorShapes draft={Rc::clone(&film.draft)} look={FloorLook::of(CELL_PX)} used_by={None::<Rc<_>>} />
+            { part::<FloorShapes>(FloorProps { draft: Rc::clone(&film.draft), look: FloorLook::of(CELL_PX), used_by: None::<Rc<_>> }) }
             { for (0..film.ways.len()).map(|index| way(film, index, time)) }
             { for film.marks.iter().map(flag) }
             { for robots.iter().filter(|(_, pose)| !pose.is_gone).map(|(index, pose)| robot(*index, pose, &robots)) }

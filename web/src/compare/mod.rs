@@ -7,6 +7,8 @@ use giveway_page::{Action, ChangeAction, State, ViewAction};
 use yew::prelude::*;
 
 use crate::board::Preview;
+use crate::board::PreviewProps;
+use crate::part::part;
 use crate::{Shown, glyph, icon};
 
 /// The columns; nothing while nothing is compared.
@@ -89,7 +91,7 @@ fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) 
                 { for facts.notes.iter().map(|note| html! { <p class="why">{ note.clone() }</p> }) }
             }
             if let Some(before) = before {
-                <Preview name={facts.board} state={state.clone()} answer={facts.answer.clone()} {before} />
+                { part::<Preview>(PreviewProps { name: facts.board, state: state.clone(), answer: facts.answer.clone(), before }) }
             }
             if !facts.costs.is_empty() {
                 <dl class="big">{ for facts.costs.iter().take(2).map(cost) }</dl>

@@ -10,8 +10,10 @@ use yew::prelude::*;
 use super::place::Place;
 use super::sight::once;
 use super::tutor::Msg;
+use crate::board::ThumbProps;
 use crate::board::{Film, Thumb};
 use crate::icon;
+use crate::part::part;
 use crate::theme::wants_less_motion;
 
 /// The most that a bar shows, in parts.
@@ -64,7 +66,7 @@ pub(super) fn Card(props: &CardProps) -> Html {
         <button type="button" class={classes!("lc", is_now.then_some("now"))} aria-current={is_now.then_some("step")} {onclick}
             onmouseenter={move |_| enter()} onmouseleave={move |_| leave()} onfocus={move |_| focus()} onblur={move |_| blur()}>
             <span class="thumb2">
-                if let Some(film) = film { <Thumb film={Rc::clone(film)} plays={*points} /> }
+                if let Some(film) = film { { part::<Thumb>(ThumbProps { film: Rc::clone(film), plays: *points }) } }
             </span>
             <span class="lt"><b>{ entry.title.clone() }</b>{ reached(entry, *stage) }</span>
         </button>

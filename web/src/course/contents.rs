@@ -18,7 +18,10 @@ use super::place::Place;
 use super::shelf::Shelf;
 use super::sight::{focus, is_again, once};
 use super::tutor::Msg;
+use crate::course::card::CardProps;
+use crate::course::glossary::TermsProps;
 use crate::icon;
+use crate::part::part;
 
 /// What the contents show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -184,7 +187,7 @@ fn body(props: &ContentsProps) -> Html {
         };
     };
     if props.page == Page::Terms {
-        return html! { <Terms shelf={Rc::clone(shelf)} send={props.send.clone()} /> };
+        return html! { { part::<Terms>(TermsProps { shelf: Rc::clone(shelf), send: props.send.clone() }) } };
     }
     let next = Onward::of(&shelf.course, &props.progress).map(|next| next.entry().lesson.clone());
     let mut first = 0;
@@ -210,8 +213,7 @@ fn chapter(
         let film = shelf.pictures.get(first + place).cloned().flatten();
         html! {
             <li key={entry.lesson.to_string()}>
-                <Card entry={entry.clone()} {film} stage={props.progress.stage(&entry.lesson)}
-                    is_next={next == Some(&entry.lesson)} send={props.send.clone()} />
+                { part::<Card>(CardProps { entry: entry.clone(), film, stage: props.progress.stage(&entry.lesson), is_next: next == Some(&entry.lesson), send: props.send.clone() }) }
             </li>
         }
     };

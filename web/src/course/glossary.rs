@@ -11,7 +11,9 @@ use super::language::small;
 use super::shelf::Shelf;
 use super::term::{about, still};
 use super::tutor::Msg;
+use crate::board::ThumbProps;
 use crate::board::{Film, Thumb};
+use crate::part::part;
 
 #[derive(Clone, Properties)]
 pub(super) struct TermsProps {
@@ -73,7 +75,7 @@ fn entry(term: &Term, film: Option<&Rc<Film>>, props: &TermsProps) -> Html {
                 if let Some(lesson) = &term.lesson { { about(lesson, &props.shelf, &props.send) } }
             </dd>
             if let Some(film) = film {
-                <dd class="thumb2" aria-hidden="true"><Thumb film={Rc::clone(film)} /></dd>
+                <dd class="thumb2" aria-hidden="true">{ part::<Thumb>(ThumbProps { film: Rc::clone(film), plays: false }) }</dd>
             }
         </div>
     }

@@ -11,6 +11,8 @@ use yew::prelude::*;
 use super::card::Card;
 use super::tutor::{Msg, Tutor};
 use crate::board::Film;
+use crate::course::card::CardProps;
+use crate::part::part;
 use crate::{icon, keep};
 
 /// Under which name they are kept.
@@ -116,8 +118,7 @@ pub(super) fn show(own: &Own, progress: &Progress, send: &Callback<Msg>) -> Html
         let remove = send.reform(move |_: MouseEvent| Msg::Remove(id.clone()));
         html! {
             <li class="mine" key={lesson.to_string()}>
-                <Card entry={kept.entry.clone()} film={kept.film.clone()} stage={progress.stage(lesson)}
-                    is_next=false send={send.clone()} />
+                { part::<Card>(CardProps { entry: kept.entry.clone(), film: kept.film.clone(), stage: progress.stage(lesson), is_next: false, send: send.clone() }) }
                 <button type="button" class="btn ghost round sm" title={name.clone()} onclick={remove}>
                     { icon::show("erase") }<span class="vh">{ name }</span>
                 </button>

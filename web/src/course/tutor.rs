@@ -28,7 +28,10 @@ use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus, has_focus, refocus};
 use super::tour::Guide;
+use crate::course::contents::ContentsProps;
+use crate::course::tour::GuideProps;
 use crate::foreign::{self, Anew};
+use crate::part::part;
 
 /// What happens in the course.
 #[derive(Clone)]
@@ -258,11 +261,10 @@ impl Component for Tutor {
                     if let Some(sheet) = &self.sheet { { sheet.show(&open.id, &open.lesson) } }
                 }
                 if let Some(tour) = &self.tour {
-                    <Guide tour={tour.clone()} spoken={language::tag()} send={send.clone()} />
+                    { part::<Guide>(GuideProps { tour: tour.clone(), spoken: language::tag(), send: send.clone() }) }
                 }
                 if let Some(page) = &self.page {
-                    <Contents spoken={language::tag()} page={*page} shelf={self.shelf.clone()} progress={self.learner.progress.clone()}
-                        own={self.own.clone()} missing={self.missing.clone()} send={send.clone()} />
+                    { part::<Contents>(ContentsProps { spoken: language::tag(), page: *page, shelf: self.shelf.clone(), progress: self.learner.progress.clone(), own: self.own.clone(), missing: self.missing.clone(), send: send.clone() }) }
                 }
                 { self.author_view(&send) }
             </Anew>

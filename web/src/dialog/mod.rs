@@ -15,16 +15,16 @@ use std::rc::Rc;
 
 use giveway_page::files::Choice;
 
-pub(crate) use agents::Agents;
-pub(crate) use examples::Examples;
-pub(crate) use find::FindRobot;
+pub(crate) use agents::{Agents, AgentsProps};
+pub(crate) use examples::{Examples, ExamplesProps};
+pub(crate) use find::{FindProps, FindRobot};
 pub(crate) use frame::Frame;
 pub(crate) use help::help;
-pub(crate) use new_scene::NewScene;
+pub(crate) use new_scene::{NewScene, NewSceneProps};
 pub(crate) use popover::use_dismiss;
-pub(crate) use save_as::SaveAs;
-pub(crate) use scenes::Scenes;
-pub(crate) use share::Share;
+pub(crate) use save_as::{SaveAs, SaveAsProps};
+pub(crate) use scenes::{Scenes, ScenesProps};
+pub(crate) use share::{Share, ShareProps};
 
 /// What is open: at most one thing at a time.
 #[derive(Clone, Debug, Default, PartialEq)]

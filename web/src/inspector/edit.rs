@@ -8,7 +8,9 @@ use giveway_page::{
 };
 use yew::prelude::*;
 
+use crate::field::FieldProps;
 use crate::field::{Field, number};
+use crate::part::part;
 use crate::{Shown, glyph, icon};
 
 /// The largest battery that can be set, in steps.
@@ -40,7 +42,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
     let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
     let body = html! {
         <>
-            <Field label={tr!("Name")} value={agent.name.clone()} on_change={edit(Edit::Rename)} />
+            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (agent.name.clone()).into(), on_change: edit(Edit::Rename), empty: None, range: None }) }
             { colour(state, index, send) }
             { battery(agent, index, send) }
             if !agent.waypoints.is_empty() {
@@ -134,7 +136,7 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     let most = MAX_AGENTS as u32;
     let body = html! {
         <>
-            <Field label={tr!("Name")} value={state.document.draft.scene().name.clone()} on_change={rename} />
+            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (state.document.draft.scene().name.clone()).into(), on_change: rename, empty: None, range: None }) }
             <div class="fields">
                 { number(tr!("Width, cells"), Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
                 { number(tr!("Height, cells"), Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }

@@ -10,6 +10,7 @@ use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
 use super::{audit, change, edit, freedom, front, planners, proof};
+use crate::part::part;
 use crate::{Shown, glyph, icon};
 
 /// So many agents are listed at first, and with every press of `More`.
@@ -47,7 +48,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
             { change::history(&past, false) }
             { front::show(state, send) }
             { edit::whole(state, send) }
-            <Agents draft={Rc::clone(state.world())} {is_there} answer={state.document.answer.clone()} send={send.clone()} />
+            { part::<Agents>(AgentsProps { draft: Rc::clone(state.world()), is_there, answer: state.document.answer.clone(), send: send.clone() }) }
         </>
     }
 }

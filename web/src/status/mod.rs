@@ -10,6 +10,8 @@ use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
+use crate::part::part;
+use crate::status::live::LiveProps;
 use crate::{Shown, icon, settings};
 use live::Live;
 
@@ -84,7 +86,7 @@ pub(crate) fn sentence(state: &State) -> Html {
                 </span>
                 <span class="say">{ standing.beside_badge().to_owned() }</span>
             </p>
-            <Live {standing} />
+            { part::<Live>(LiveProps { standing }) }
         </>
     }
 }

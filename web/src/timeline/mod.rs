@@ -21,6 +21,10 @@ use giveway_model::{Question, tr};
 use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
 use yew::prelude::*;
 
+use crate::part::part;
+use crate::timeline::plan::PlanProps;
+use crate::timeline::tabs::TabsProps;
+use crate::timeline::wait::WaitProps;
 use crate::{Shown, icon};
 use inside::{Inside, places};
 use plan::Plan;
@@ -58,7 +62,7 @@ pub fn Dock(props: &DockProps) -> Html {
         });
     }
     if state.is_inside() {
-        return html! { <Inside ..props.clone() /> };
+        return html! { { part::<Inside>(props.clone()) } };
     }
     if let Some(run) = state.awaited() {
         let plays = state.so_far().is_some();
@@ -69,7 +73,7 @@ pub fn Dock(props: &DockProps) -> Html {
                 } else {
                     <div class="over-wait">{ places(state, send) }</div>
                 }
-                <Wait id={state.work.id().unwrap_or(0)} run={run.clone()} table={state.view.table} />
+                { part::<Wait>(WaitProps { id: state.work.id().unwrap_or(0), run: run.clone(), table: state.view.table }) }
             </section>
         };
     }
@@ -93,8 +97,8 @@ pub fn Dock(props: &DockProps) -> Html {
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>
                 { transport(props) }
-                <Tabs tab={state.view.tab} checks={state.audit().is_some() && state.lesson().is_none()} teaches={state.lesson().is_some()} inside={None::<giveway_page::inside::Method>} send={send.clone()} />
-                <Plan answer={Same::new(answer)} beside={state.beside().cloned().map(Same::new)} notes={None::<Rc<Vec<giveway_page::inside::Note>>>} state={state.clone()} send={send.clone()} />
+                { part::<Tabs>(TabsProps { tab: state.view.tab, checks: state.audit().is_some() && state.lesson().is_none(), teaches: state.lesson().is_some(), inside: None::<giveway_page::inside::Method>, send: send.clone() }) }
+                { part::<Plan>(PlanProps { answer: Same::new(answer), beside: state.beside().cloned().map(Same::new), notes: None::<Rc<Vec<giveway_page::inside::Note>>>, state: state.clone(), send: send.clone() }) }
             </section>
         };
     }

@@ -21,6 +21,9 @@ use super::seen::{Extent, Seen, use_seen};
 use super::selected::{lane_of, selected_lane, selection, use_selected_in_view};
 use crate::Shown;
 use crate::held::use_held;
+use crate::part::part;
+use crate::timeline::plan_table::PlanTableProps;
+use crate::timeline::ruler::RulerProps;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanProps {
@@ -182,7 +185,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <div class={classes!("lanes", row.class(), gutter)} id="lanes" ref={lanes_ref.clone()}
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
-                    <Ruler {axis} columns={seen.columns.clone()} {time} thumb={moved.thumb.clone()} send={send.clone()} />
+                    { part::<Ruler>(RulerProps { axis, columns: seen.columns.clone(), time, thumb: moved.thumb.clone(), send: send.clone() }) }
                     <div role="group" aria-label={tr!("Lanes")} {onkeydown}>
                         { spacer(above) }
                         { for seen.lanes.clone().map(lane_row) }
@@ -195,8 +198,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <div class={classes!("tblwrap", (!state.view.table || notes.is_some()).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
                 role="group" aria-label={tr!("Plan table")} tabindex="0"
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
-                <PlanTable lanes={lanes.clone()} {axis} label={seen.label} columns={seen.columns.clone()} rows={seen.rows.clone()}
-                    beyond={seen.beyond_rows(extent)} {time} />
+                { part::<PlanTable>(PlanTableProps { lanes: lanes.clone(), axis, label: seen.label, columns: seen.columns.clone(), rows: seen.rows.clone(), beyond: seen.beyond_rows(extent), time }) }
             </div>
         </>
     }

@@ -9,6 +9,7 @@ use web_sys::Element;
 use yew::prelude::*;
 
 use crate::held::use_held;
+use crate::part::part;
 
 /// Half the width of the thumb and a little more, in pixels.
 const THUMB: f64 = 17.0;
@@ -99,7 +100,7 @@ pub(super) fn Ruler(props: &RulerProps) -> Html {
                 aria-valuetext={tr!("{time} of {last}", time, last)}
                 {onpointerdown} {onpointermove} onpointerup={release.clone()} onpointercancel={release}
                 {onkeydown}>
-                <Labels axis={*axis} columns={columns.clone()} time={*time} />
+                { part::<Labels>(LabelsProps { axis: *axis, columns: columns.clone(), time: *time }) }
                 <i class="thumb" ref={thumb}><b>{ time }</b></i>
             </div>
         </div>

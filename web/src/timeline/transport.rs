@@ -9,6 +9,7 @@ use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::DockProps;
+use crate::part::part;
 use crate::{copy, icon};
 
 /// How long it is shown that the table was copied, in milliseconds.
@@ -156,7 +157,7 @@ fn views(props: &DockProps) -> Html {
             { trails(state, send) }
             { chip("view", "heat", tr!("Heat map"), view.layers.heat, Action::View(ViewAction::ShowHeat(!view.layers.heat))) }
             { chip("", "down", tr!("Plan table"), view.table, Action::View(ViewAction::ShowTable(!view.table))) }
-            <CopyButton ..props.clone() />
+            { part::<CopyButton>(props.clone()) }
         </div>
     }
 }

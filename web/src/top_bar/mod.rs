@@ -12,7 +12,9 @@ use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
 use crate::language::LanguageButton;
+use crate::language::LanguageButtonProps;
 use crate::lesson::Course;
+use crate::part::part;
 use crate::theme::system_is_dark;
 use crate::{Shown, icon, keep, paste};
 use menu::{copy_item, item, save_items, toggle};
@@ -177,7 +179,7 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     { icon::show("redo") }<span class="vh">{ tr!("Redo") }</span>
                 </button>
                 <i class="sep"></i>
-                <LanguageButton send={send.clone()} />
+                { part::<LanguageButton>(LanguageButtonProps { send: send.clone() }) }
                 <button class="btn ghost" title={theme_title.clone()} onclick={theme.clone()}>
                     { icon::show("theme") }<span class="vh">{ tr!("Theme") }</span>
                 </button>

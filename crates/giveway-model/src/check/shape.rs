@@ -36,7 +36,7 @@ pub(super) fn find(instance: &Instance, plan: &Plan, findings: &mut Findings<'_>
         if plan.slept.contains_key(&agent.name) {
             let message = sentence::needs_changes(
                 &agent.name,
-                tr!("in this plan a robot" => "is cost_if_it_leaves_goal by a change"),
+                tr!("in this plan a robot" => "is woken by a change"),
             );
             push(findings, index, 0, message);
         }

@@ -202,18 +202,18 @@ fn batteries_and_charges() {
         &["2 charge A"],
     );
     // A charge shows that it was awake.
-    let cost_if_it_leaves_goal = "4 set-goal A 10";
+    let woken = "4 set-goal A 10";
     breaks(
         &map,
         "A 10 20 battery 9/9",
-        cost_if_it_leaves_goal,
+        woken,
         "A 10 20 20+ 20 20 10",
         &[],
     );
     breaks(
         &map,
         "A 10 20 battery 2/2",
-        cost_if_it_leaves_goal,
+        woken,
         "A~1-4 10 20 20 20 20 10",
         &[],
     );
@@ -222,28 +222,28 @@ fn batteries_and_charges() {
     breaks(
         &map,
         "A 10 20 battery 2/2",
-        cost_if_it_leaves_goal,
+        woken,
         "A 10 20 20 20 20 10",
         &["3 battery A"],
     );
     breaks(
         &map,
         "A 10 20 battery 2/2",
-        cost_if_it_leaves_goal,
+        woken,
         "A~0-4 10 20 20 20 20 10",
         &[],
     );
     breaks(
         &map,
         "A 10 20 battery 2/2",
-        cost_if_it_leaves_goal,
+        woken,
         "A~0-3 10 20 20 20 20 10",
         &["3 battery A"],
     );
     breaks(
         &map,
         "A 10 20 battery 1/1",
-        cost_if_it_leaves_goal,
+        woken,
         "A~1-4 10 20 20 20 20 10",
         &["5 battery A"],
     );

@@ -92,10 +92,10 @@ fn the_tail_of_a_slow_move_is_free() {
 
 #[test]
 fn who_sleeps_uses_no_battery_and_does_not_wait() {
-    let cost_if_it_leaves_goal = "A~1-4 00 10 10 10 10 20 10";
+    let woken = "A~1-4 00 10 10 10 10 20 10";
     let added = "4 add-agent B 00 30";
     let slept = ["....", "...."];
-    let paths = format!("{cost_if_it_leaves_goal}; B@4 00 01 11 21 31 30");
+    let paths = format!("{woken}; B@4 00 01 11 21 31 30");
     costs(
         &slept,
         "A 00 10 battery 3/3",

@@ -51,7 +51,7 @@ pub(super) struct State {
 pub(super) struct Step {
     pub(super) to: State,
     pub(super) edge: Option<(Cell, Cell)>,
-    /// Whether it takes time on the way; to be cost_if_it_leaves_goal takes none.
+    /// Whether it takes time on the way; to be woken takes none.
     pub(super) time: u32,
     pub(super) steps: u32,
     pub(super) charges: u32,

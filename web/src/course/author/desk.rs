@@ -15,7 +15,9 @@ use super::fields::{Form, rest};
 use super::preview::{SmallBoard, prose};
 use super::{AuthorMsg, Notes, steps, todo, top};
 use crate::board::Film;
+use crate::course::author::preview::BoardProps;
 use crate::icon;
+use crate::part::part;
 
 #[derive(Clone, Properties)]
 pub(in crate::course) struct DeskProps {
@@ -215,7 +217,7 @@ fn preview(props: &DeskProps) -> Html {
     html! {
         <section class="apreview lesson" aria-label={tr!("As the learner sees it")}>
             <p class="quiet">{ tr!("As the learner sees it") }</p>
-            if let Some(film) = &props.film { <SmallBoard film={Rc::clone(film)} /> }
+            if let Some(film) = &props.film { { part::<SmallBoard>(BoardProps { film: Rc::clone(film) }) } }
             if let Some(step) = props.looked.step(at) { { prose(step, reader) } }
         </section>
     }

@@ -31,6 +31,8 @@ use super::asker::Asker;
 use super::kept::hear;
 use super::tutor::{Msg, Tutor};
 use crate::board::Film;
+use crate::course::author::{desk::DeskProps, share::RefusedProps};
+use crate::part::{keyed_part, part};
 
 use desk::Desk;
 use notes::Notes;
@@ -263,11 +265,10 @@ impl Tutor {
         html! {
             <>
                 if let (true, Some(shelf), Some(looked)) = (author.is_open, &self.shelf, &author.looked) {
-                    <Desk draft={Rc::clone(&author.draft)} looked={Rc::clone(looked)} film={author.film.clone()}
-                        shelf={Rc::clone(shelf)} notes={author.notes()} send={send.clone()} />
+                    { part::<Desk>(DeskProps { draft: Rc::clone(&author.draft), looked: Rc::clone(looked), film: author.film.clone(), shelf: Rc::clone(shelf), notes: author.notes(), send: send.clone() }) }
                 }
                 if let Some(refusal) = &author.refusal {
-                    <Refused key={refusal.number} refusal={refusal.clone()} send={write} />
+                    { keyed_part::<Refused>(refusal.number, RefusedProps { refusal: refusal.clone(), send: write }) }
                 }
             </>
         }

@@ -7,8 +7,10 @@ use giveway_model::tr;
 use yew::prelude::*;
 
 use super::super::prose::Reader;
+use crate::board::ThumbProps;
 use crate::board::{Film, Thumb};
 use crate::icon;
+use crate::part::part;
 
 #[derive(Clone, Properties)]
 pub(super) struct BoardProps {
@@ -37,7 +39,7 @@ pub(super) fn SmallBoard(props: &BoardProps) -> Html {
     };
     html! {
         <button type="button" class="thumb2 aboard" title={name} {onclick}>
-            <Thumb film={Rc::clone(&props.film)} plays={*plays} /><span class="vh">{ name }</span>
+            { part::<Thumb>(ThumbProps { film: Rc::clone(&props.film), plays: *plays }) }<span class="vh">{ name }</span>
         </button>
     }
 }

@@ -19,6 +19,10 @@ use super::plan::Plan;
 use super::same::Same;
 use super::tabs::Tabs;
 use crate::icon;
+use crate::part::part;
+use crate::timeline::inside::tree::TreeProps;
+use crate::timeline::plan::PlanProps;
+use crate::timeline::tabs::TabsProps;
 use proof::Proof;
 use switch::methods;
 pub(super) use switch::places;
@@ -52,7 +56,7 @@ pub(super) fn Inside(props: &DockProps) -> Html {
                 <span class="grow"></span>
                 { methods(state, send) }
             </div>
-            <Tabs tab={state.view.tab} checks={false} teaches={false} inside={Some(state.inside.method)} send={send.clone()} />
+            { part::<Tabs>(TabsProps { tab: state.view.tab, checks: false, teaches: false, inside: Some(state.inside.method), send: send.clone() }) }
             { body(props) }
             <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
         </section>
@@ -62,15 +66,14 @@ pub(super) fn Inside(props: &DockProps) -> Html {
 fn body(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     match state.inside.method {
-        Method::Proof => html! { <Proof ..props.clone() /> },
+        Method::Proof => html! { { part::<Proof>(props.clone()) } },
         Method::Tree => match giveway_page::inside::tree_view(state) {
-            Some(view) => html! { <Tree {view} send={send.clone()} /> },
+            Some(view) => html! { { part::<Tree>(TreeProps { view, send: send.clone() }) } },
             None => waiting(state, send),
         },
         Method::Orders => match (notes(state), state.shown()) {
             (Some(notes), Some(answer)) => html! {
-                <Plan answer={Same::new(Rc::clone(answer))} beside={None::<Same<_>>} notes={Rc::new(notes)}
-                    state={state.clone()} send={send.clone()} />
+                { part::<Plan>(PlanProps { answer: Same::new(Rc::clone(answer)), beside: None::<Same<_>>, notes: Some(Rc::new(notes)), state: state.clone(), send: send.clone() }) }
             },
             _ => waiting(state, send),
         },

@@ -16,7 +16,9 @@ use super::chart::ChartSlider;
 use super::waiting;
 use crate::held::{Held, use_held};
 use crate::icon;
+use crate::part::part;
 use crate::timeline::DockProps;
+use crate::timeline::inside::chart::ChartProps;
 
 /// The height of a row, in pixels: where there is room for a line, and where there is
 /// not. As in the style sheet.
@@ -152,7 +154,7 @@ pub(super) fn Proof(props: &DockProps) -> Html {
     html! {
         <div class={classes!("proof", "lanes")} id="lanes">
             <div class="chart-at" ref={place}>
-                if let Some(drawn) = drawn { <ChartSlider chart={drawn} {count} send={send.clone()} /> }
+                if let Some(drawn) = drawn { { part::<ChartSlider>(ChartProps { chart: drawn, count, send: send.clone() }) } }
             </div>
             <ol class={classes!("plist", narrow)} aria-label={tr!("Steps")} ref={list} {onscroll} onkeydown={keys(&focus, send)}>
                 { spacer(above) }

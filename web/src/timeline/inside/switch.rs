@@ -1,5 +1,6 @@
 //! The tabs beside the transport: lanes or how they were found; and of which method.
 
+use crate::part::part;
 use giveway_model::tr;
 use giveway_page::inside::{InsideAction, Method};
 use giveway_page::{Action, State};
@@ -89,8 +90,7 @@ pub(in crate::timeline) fn places(state: &State, send: &Callback<Action>) -> Htm
     }
     let choose = send.reform(|index| Action::Inside(InsideAction::Show(index == 1)));
     html! {
-        <Switch class="dtabs" label={tr!("What stands below the board")} names={vec![tr!("Timeline"), tr!("How it was proved")]}
-            chosen={usize::from(state.is_inside())} {choose} />
+        { part::<Switch>(SwitchProps { class: "dtabs", label: tr!("What stands below the board"), names: vec![tr!("Timeline"), tr!("How it was proved")], chosen: usize::from(state.is_inside()), choose }) }
     }
 }
 
@@ -104,7 +104,6 @@ pub(super) fn methods(state: &State, send: &Callback<Action>) -> Html {
         Action::Inside(InsideAction::By(method))
     });
     html! {
-        <Switch class="mtabs" label={tr!("Method")} names={Method::ALL.map(Method::title).to_vec()}
-            chosen={chosen.unwrap_or(0)} {choose} />
+        { part::<Switch>(SwitchProps { class: "mtabs", label: tr!("Method"), names: Method::ALL.map(Method::title).to_vec(), chosen: chosen.unwrap_or(0), choose }) }
     }
 }

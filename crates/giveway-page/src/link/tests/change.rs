@@ -110,7 +110,7 @@ fn noise_about_changes_is_never_a_panic() {
 }
 
 /// `A1` arrives at time 1, sleeps there, and at time 3 gets another goal.
-fn cost_if_it_leaves_goal() -> crate::Document {
+fn woken() -> crate::Document {
     let instance = native::read_instance(
         r#"{ "giveway": 1, "map": ["..."], "agents": [
             { "name": "A1", "start": [0, 0], "goal": [1, 0] }] }"#,
@@ -130,7 +130,7 @@ fn cost_if_it_leaves_goal() -> crate::Document {
 
 #[test]
 fn who_slept_has_slept_after_a_reload_too() {
-    let document = cost_if_it_leaves_goal();
+    let document = woken();
     let plan = document.answer.as_ref().unwrap().plan().unwrap().clone();
     let costs = document.answer.as_ref().unwrap().solved.costs;
     assert_eq!(costs.map(|costs| costs.waits), Some(0));
@@ -145,7 +145,7 @@ fn who_slept_has_slept_after_a_reload_too() {
 
 #[test]
 fn what_a_plan_knows_is_read_with_distrust() {
-    let text = super::super::document::write(&cost_if_it_leaves_goal(), From::Anywhere);
+    let text = super::super::document::write(&woken(), From::Anywhere);
     for (part, broken) in [
         ("knows=3", "knows=x"),
         ("knows=3", "knows=100001"),
