@@ -133,7 +133,7 @@ impl From<usize> for Sentence {
     }
 }
 
-/// A sentence as data, a [`Sentence`](crate::words::Sentence): with the syntax of
+/// A sentence as data, a [`Sentence`]: with the syntax of
 /// [`tr!`](crate::tr), whose values may be such sentences themselves.
 #[macro_export]
 macro_rules! tr_data {
