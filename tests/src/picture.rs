@@ -59,6 +59,7 @@ pub fn scene(picture: &str) -> Scene {
             goal,
             waypoints,
             battery: batteries.remove(&name.to_string()),
+            heading: None,
         });
     }
     assert!(

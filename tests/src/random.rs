@@ -261,6 +261,7 @@ impl Size {
             }),
             waypoints: self.waypoints(random, map),
             battery: self.battery(random),
+            heading: None,
         });
         let scene = Scene {
             name: "random".to_owned(),

@@ -32,6 +32,7 @@ pub fn changes(instance: &Instance, makespan: u32, seed: u64, number: u64) -> Ve
                         capacity: 9,
                         initial: 8,
                     }),
+                    heading: None,
                 },
             },
             3 => What::RemoveAgent { agent },
@@ -180,6 +181,7 @@ pub fn crowd(
         goal: Some(goal),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     });
     agents.collect()
 }

@@ -93,6 +93,7 @@ fn nobody_drives_back_and_forth_to_pass_time() {
                     goal: Some(Cell::new(to_x, to_y)),
                     waypoints: Vec::new(),
                     battery: None,
+                    heading: None,
                 });
             }
             scene.objective = Objective::new(costs.to_vec()).unwrap();

@@ -58,6 +58,7 @@ proptest! {
                 goal: Some(goals.remove(goal.index(goals.len()))),
                 waypoints: Vec::new(),
                 battery: None,
+                heading: None,
             });
         }
         let instance = Instance::new(scene.clone()).unwrap();

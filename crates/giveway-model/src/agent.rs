@@ -3,6 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
+use crate::constraint::Heading;
 use crate::Cell;
 use crate::object::null_is_default;
 use crate::object_only;
@@ -42,6 +43,9 @@ pub struct Agent {
     /// Its battery; `None` is unlimited.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub battery: Option<Battery>,
+    /// Where it faces at first, which matters where turns take time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heading: Option<Heading>,
 }
 
 object_only!(Agent);
@@ -55,6 +59,7 @@ impl Agent {
             goal,
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         }
     }
 

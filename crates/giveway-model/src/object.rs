@@ -1,6 +1,10 @@
 //! Structures that are read from objects only.
 
-use serde::de::{Deserialize, Deserializer, Visitor};
+use std::borrow::Cow;
+
+use serde::de::{self, Deserialize, Deserializer, Visitor};
+
+use crate::tr;
 
 /// Reads a structure from an object only: for `deserialize_with`.
 ///
@@ -35,6 +39,32 @@ where
     D: Deserializer<'de>,
 {
     Ok(Option::deserialize(deserializer)?.unwrap_or_default())
+}
+
+/// Reads one of some words. (Derived code also takes `{"word": null}`.)
+///
+/// # Errors
+/// When it is another word, or none.
+pub(crate) fn one_of<'de, T, D>(deserializer: D, words: &[(&str, T)]) -> Result<T, D::Error>
+where
+    T: Copy,
+    D: Deserializer<'de>,
+{
+    let word = Cow::<str>::deserialize(deserializer)?;
+    let found = words.iter().find(|(name, _)| *name == word);
+    found.map(|&(_, value)| value).ok_or_else(|| {
+        let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
+        de::Error::custom(format!(
+            "unknown variant `{word}`, expected one of {}",
+            names.join(" ")
+        ))
+    })
+}
+
+/// That a key is not one of those of a kind, in the JSON library's own words.
+pub(crate) fn unknown_key(key: &str, kind: &str) -> String {
+    let expected = tr!("the keys of {name}", name = kind);
+    format!("unknown field `{key}`, expected {expected}")
 }
 
 /// A deserializer that asks for an object where a structure is wanted.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::object::null_is_default;
 use crate::object_only;
-use crate::{Agent, Assumption, Objective, Rules, Version};
+use crate::{Agent, Assumption, Constraint, Objective, Rules, Version, Zone};
 
 /// An instance as a person writes it: plain data that may be wrong.
 ///
@@ -34,6 +34,20 @@ pub struct Scene {
     /// The assumptions of the scene, where it was read from a file of another maker.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub assumptions: Vec<Assumption>,
+    /// Named parts of the map.
+    #[serde(
+        default,
+        deserialize_with = "null_is_default",
+        skip_serializing_if = "Vec::is_empty"
+    )]
+    pub zones: Vec<Zone>,
+    /// Rules of the scene's own.
+    #[serde(
+        default,
+        deserialize_with = "null_is_default",
+        skip_serializing_if = "Vec::is_empty"
+    )]
+    pub constraints: Vec<Constraint>,
 }
 
 object_only!(Scene);

@@ -61,6 +61,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
             goal: Some(goal),
             waypoints,
             battery,
+            heading: None,
         });
     let objective = prop::sample::subsequence(Cost::ALL.to_vec(), 1..=5).prop_shuffle();
     (
@@ -127,6 +128,7 @@ proptest! {
             goal: Some(Cell::new(x, 1)),
             waypoints: vec![Cell::new(3, 1)],
             battery: Some(Battery { capacity: 4, initial: 3 }),
+            heading: None,
         };
         let instance = Instance::new(Scene {
             map: vec![".~*.".into(), "+~~.".into(), "..#.".into()],

@@ -70,6 +70,7 @@ fn scene() -> Scene {
                 capacity: 9,
                 initial: 8,
             }),
+            heading: None,
         }],
         ..Scene::default()
     }

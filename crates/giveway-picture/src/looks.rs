@@ -114,6 +114,7 @@ mod tests {
             goal: None,
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         };
         names.chars().map(agent).collect()
     }

@@ -144,6 +144,7 @@ mod tests {
             goal: Some(goal.into()),
             waypoints: waypoints.iter().map(|&cell| cell.into()).collect(),
             battery: None,
+            heading: None,
         }
     }
 

@@ -17,6 +17,7 @@ pub mod plain;
 pub mod planner;
 pub mod prioritised;
 pub mod problem;
+pub mod rules;
 pub mod single;
 pub mod terrain;
 #[cfg(test)]

@@ -6,8 +6,10 @@ use giveway_model::{Costs, Grid, Instance};
 
 use crate::{
     budget::{Budget, Stop},
+    rules::{Between, OwnRules, Precedence},
     single::{
-        Bounds, CostToGo, MAX_WAYPOINTS, Metric, NoPlanAlone, Part, Required, Task, earliest,
+        Bounds, CostToGo, MAX_WAYPOINTS, Mask, Metric, NoPlanAlone, Part, Place, Required, Task,
+        earliest,
     },
     terrain::Terrain,
     walk::{Walk, costs_of},
@@ -46,8 +48,12 @@ pub struct Problem {
     /// The earliest arrival of each agent alone; a lower bound of it where conditions are about
     /// very late times (see [`earliest`]).
     pub optima: Vec<u32>,
-    /// The largest of these and of the ends of breakdowns, without
-    /// conditions.
+    /// Rules of the scene's own between agents.
+    pub between: Between,
+    /// Which agents must be at a vertex before others.
+    pub precedences: Vec<Precedence>,
+    /// The largest of the optima and of the ends of breakdowns, without
+    /// conditions; and the last time that a rule of the scene's own names.
     longest: u32,
 }
 
@@ -107,20 +113,29 @@ impl Problem {
             tasks: Vec::new(),
             cost_to_go: Vec::new(),
             optima: Vec::new(),
+            between: Between::default(),
+            precedences: Vec::new(),
             longest: 0,
         };
+        let rules = OwnRules::new(instance, &problem.terrain);
+        problem.between = rules.between();
+        problem.precedences = rules.precedences(&problem.terrain);
         for (i, agent) in instance.agents().iter().enumerate() {
             let bounds = bounds.next().unwrap_or_default();
             let is_along = matches!(bounds, Bounds::Along(_));
             if agent.waypoints.len() > MAX_WAYPOINTS && !is_along {
                 return Err(ProblemError::TooManyWaypoints(i));
             }
-            let (state, rules) = (instance.start_state(&agent.name), instance.rules());
-            let task = Task::resumed(agent, state, bounds, rules, &mut problem.terrain)
+            let state = instance.start_state(&agent.name);
+            let mut task =
+                Task::resumed(agent, state, bounds, instance.rules(), &mut problem.terrain)
+                    .map_err(|no_plan| ProblemError::Alone(i, no_plan))?;
+            rules
+                .impose(i, &mut task, &problem.terrain)
                 .map_err(|no_plan| ProblemError::Alone(i, no_plan))?;
             problem.add(i, task, budget)?;
         }
-        problem.longest = problem.longest();
+        problem.longest = problem.longest().saturating_add(rules.last_time());
         Ok(problem)
     }
 
@@ -155,7 +170,7 @@ impl Problem {
         task: Task,
         budget: &dyn Budget,
     ) -> Result<(), ProblemError> {
-        if task.bits() > MAX_WAYPOINTS {
+        if task.bits() > MAX_WAYPOINTS || !task.conditions.fits_into_masks() {
             return Err(ProblemError::TooManyWaypoints(agent));
         }
         let cost_to_go = CostToGo::new(&task, &self.terrain, Metric::Time, budget)?;
@@ -202,7 +217,7 @@ impl Problem {
         task.conditions.parts().all(|part| match part {
             // Every search keeps to these.
             Part::Forbidden(_) | Part::Required(_, Required::Cross { .. }) => true,
-            Part::LongWait(wait) => wait.is_kept(walk),
+            Part::Counter(_) => self.keeps_counts(agent, walk),
             Part::Required(_, Required::Charge { .. }) => {
                 crate::walk::charges(task, &self.terrain, walk).is_some()
             }
@@ -216,6 +231,52 @@ impl Problem {
         })
     }
 
+    /// Whether the counters of an agent allow all steps of a walk, and its end.
+    fn keeps_counts(&self, agent: usize, walk: &Walk) -> bool {
+        let task = &self.tasks[agent];
+        let masks = self.follow(agent, walk);
+        match (masks.last(), walk.last()) {
+            (Some(&mask), Some(&Place::At(v))) if masks.len() == walk.len() => {
+                let now = walk.len() as u32 - 1;
+                task.conditions.may_end(mask, v, now)
+            }
+            _ => false,
+        }
+    }
+
+    /// How far an agent has come at each time of a walk; up to a step that its counters
+    /// forbid.
+    fn follow(&self, agent: usize, walk: &[Place]) -> Vec<Mask> {
+        let task = &self.tasks[agent];
+        let first = task.first().map(|state| state.mask);
+        let mut masks = Vec::from_iter(first);
+        for (pair, now) in walk.windows(2).zip(0..) {
+            let Some(&mask) = masks.last() else { break };
+            let counted = task.counted(&self.terrain, mask, [pair[0], pair[1]], now);
+            let Some(mut mask) = counted else { break };
+            if let Place::At(v) = pair[1] {
+                mask |= task.bit(v);
+            }
+            masks.push(mask);
+        }
+        masks
+    }
+
+    /// The same, where precedences ask for it; else nothing is known of how far it came.
+    pub(crate) fn masks_of(&self, agent: usize, walk: &[Place]) -> Vec<Mask> {
+        if self.precedences.is_empty() {
+            return vec![0; walk.len()];
+        }
+        let mut masks = self.follow(agent, walk);
+        masks.resize(walk.len(), masks.last().copied().unwrap_or(0));
+        masks
+    }
+
+    /// Whether there are rules between agents beside that they must not collide.
+    pub fn has_rules_between(&self) -> bool {
+        !self.between.is_empty() || !self.precedences.is_empty()
+    }
+
     /// A number of steps that no plan needs to exceed: one with more comes to
     /// the same joint state twice, and what lies between can be left out, which
     /// makes no cost higher. `None` where the number is too large to be of use.
@@ -223,7 +284,7 @@ impl Problem {
         let slow = (0..self.terrain.size() as u32).flat_map(|v| self.terrain.arcs(v));
         let places = self.terrain.size() + slow.filter(|arc| arc.slow).count();
         let mut states: u32 = 1;
-        let mut timed = 0;
+        let mut timed = self.between.last_time().unwrap_or(0);
         for task in &self.tasks {
             // On the way; and at the end, one step or more.
             let way = [
@@ -242,6 +303,9 @@ impl Problem {
             let times = resting.chain(task.last_time()).chain([task.not_before]);
             timed = times.fold(timed, u32::max);
         }
+        // A gap remembers where the agents were, a precedence whether the first has been there.
+        states = states.checked_pow(self.between.gap().checked_add(1)?)?;
+        states = states.checked_mul(2u32.checked_pow(self.precedences.len() as u32)?)?;
         // The conditions differ at each of these times.
         states.checked_add(timed)?.checked_add(2)
     }

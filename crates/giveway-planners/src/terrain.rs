@@ -1,6 +1,6 @@
 //! The map as a graph: vertices and arcs by number.
 
-use giveway_model::{Cell, Grid};
+use giveway_model::{Cell, Grid, constraint::Heading};
 
 /// A vertex: the number of a free cell, row by row.
 pub type Vertex = u32;
@@ -103,6 +103,12 @@ impl Terrain {
         found.filter(|&v| v != NO_VERTEX)
     }
 
+    /// The last cell of the map.
+    pub fn last_cell(&self) -> Cell {
+        let rows = self.vertices.len() / (self.width as usize).max(1);
+        Cell::new(self.width.saturating_sub(1), (rows as u32).saturating_sub(1))
+    }
+
     /// The arcs that leave a vertex; none leave what is no vertex any more.
     pub fn arcs(&self, v: Vertex) -> &[Arc] {
         self.arcs.get(v as usize).map_or(&[], Vec::as_slice)
@@ -123,6 +129,18 @@ impl Terrain {
     /// From and to of an arc.
     pub fn ends(&self, arc: u32) -> (Vertex, Vertex) {
         self.ends[arc as usize]
+    }
+
+    /// The direction of an arc; `None` where it begins off the map of today.
+    pub fn heading(&self, arc: u32) -> Option<Heading> {
+        let (from, to) = self.ends(arc);
+        self.heading_between(from, to)
+    }
+
+    /// The direction from one vertex to its neighbour.
+    pub fn heading_between(&self, from: Vertex, to: Vertex) -> Option<Heading> {
+        let cell = |v: Vertex| self.cells.get(v as usize).copied();
+        Heading::of(cell(from)?, cell(to)?)
     }
 
     /// Whether an agent may charge at a vertex.

@@ -73,6 +73,20 @@ pub(crate) fn refuse_moving(scene: &Scene) -> Result<(), Refusal> {
     Err(Refusal::Scene { faults })
 }
 
+/// Refuses what does not heed rules of a scene's own.
+///
+/// # Errors
+/// When the scene has one that is not off.
+pub(crate) fn refuse_constrained(scene: &Scene) -> Result<(), Refusal> {
+    let Some(index) = scene.constraints.iter().position(|rule| !rule.off) else {
+        return Ok(());
+    };
+    let found = tr!("a rule of the scene's own, which only solve, plan, audit and check heed");
+    let expected = tr!("rules that are off");
+    let faults = vec![Fault::at(format!("constraints[{index}]"), found, expected)];
+    Err(Refusal::Scene { faults })
+}
+
 /// Refuses what compares all best plans of a scene with agents that have no goal.
 ///
 /// # Errors

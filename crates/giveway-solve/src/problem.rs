@@ -9,7 +9,8 @@ use giveway_planners::problem as planners;
 
 use crate::{
     budget::{Budget, Stop},
-    impose::{ImposeError, Precedence, Unmeetable, impose},
+    impose::{ImposeError, Unmeetable, impose},
+    search::free_of_collisions,
     single::{Bounds, NoPlanAlone},
     walk::{Walk, costs_of},
 };
@@ -19,8 +20,6 @@ pub(crate) use giveway_planners::problem::Relaxed;
 /// Everything that is known of an instance before agents meet.
 pub(crate) struct Problem {
     planners: planners::Problem,
-    /// Which agents must be at a vertex before others, where conditions ask for it.
-    pub(crate) precedences: Vec<Precedence>,
 }
 
 impl Deref for Problem {
@@ -81,10 +80,7 @@ impl Problem {
     }
 
     const fn of(planners: planners::Problem) -> Self {
-        Self {
-            planners,
-            precedences: Vec::new(),
-        }
+        Self { planners }
     }
 
     /// The same with some rules between agents left out, and with conditions.
@@ -128,7 +124,7 @@ impl Problem {
     /// Whether there are conditions beside the rules.
     pub(crate) fn has_conditions(&self) -> bool {
         let mut tasks = self.tasks.iter();
-        !self.precedences.is_empty() || tasks.any(|task| !task.conditions.is_empty())
+        self.has_rules_between() || tasks.any(|task| !task.conditions.is_empty())
     }
 
     /// Whether walks keep to the conditions beside the rules, as far as
@@ -138,6 +134,7 @@ impl Problem {
             let charges = costs_of(self, agent, walk).charges;
             self.keeps_alone(agent, walk, charges)
         });
-        alone && self.precedences.iter().all(|order| order.is_kept(walks))
+        let in_order = self.precedences.iter().all(|order| order.is_kept(walks));
+        alone && in_order && (self.between.is_empty() || free_of_collisions(self, walks))
     }
 }

@@ -64,6 +64,21 @@ impl Request {
         }
     }
 
+    /// The scene of a request that does not heed rules of the scene's own.
+    pub(crate) const fn unconstrained_scene(&self) -> Option<&Scene> {
+        match self {
+            // What is exported was certified.
+            Self::Solve(_) | Self::Audit(_) | Self::Plan(_) | Self::Export(_) => None,
+            Self::Check(request) if request.changes.is_none() => None,
+            Self::Check(request) => Some(&request.scene),
+            Self::Explain(request) => Some(&request.scene),
+            Self::Certify(request) => Some(&request.scene),
+            Self::Change(request) => Some(&request.scene),
+            Self::Freedom(request) => Some(&request.scene),
+            Self::Together(request) => Some(&request.scene),
+        }
+    }
+
     /// The request as one that [`serve_basic`](crate::serve_basic) serves; `None`
     /// where it takes [`serve`](crate::serve).
     pub const fn basic(&self) -> Option<Basic<'_>> {

@@ -134,10 +134,12 @@ impl Refusal {
 /// proof, a limit of work or a limit of conflicts ends it. Where seconds, memory or the host
 /// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
-    if let Err(refusal) = request
-        .claimed_scene()
-        .map_or(Ok(()), assumed::refuse_moving)
-    {
+    let moving = request.claimed_scene().map(assumed::refuse_moving);
+    let constrained = request
+        .unconstrained_scene()
+        .map(assumed::refuse_constrained);
+    let mut refused = moving.into_iter().chain(constrained);
+    if let Some(Err(refusal)) = refused.find(Result::is_err) {
         return Response::Refused(refusal);
     }
     match request {
@@ -191,7 +193,9 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
 pub fn serve_basic(request: Basic<'_>, host: &dyn Host) -> Response {
     match request {
         Basic::Solve(request) => serve_best(request, host),
-        Basic::Change(request) => match assumed::refuse_moving(&request.scene) {
+        Basic::Change(request) => match assumed::refuse_moving(&request.scene)
+            .and_then(|()| assumed::refuse_constrained(&request.scene))
+        {
             Ok(()) => serve_change(request, host),
             Err(refusal) => Response::Refused(refusal),
         },

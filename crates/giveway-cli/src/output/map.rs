@@ -206,6 +206,7 @@ mod tests {
                     goal: Some(Cell::new(goal_x, goal_y)),
                     waypoints: waypoints.iter().map(|w| Cell::new(w[0], w[1])).collect(),
                     battery: None,
+                    heading: None,
                 })
                 .collect(),
             ..Scene::default()

@@ -200,6 +200,7 @@ pub fn scene() -> Scene {
         goal: Some(Cell::new(goal.0, goal.1)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     let map = ["####.####", ".........", "#####...#"];
     Scene {

@@ -207,6 +207,7 @@ fn edits_outside_of_the_task_are_not_like_this() {
             goal: Some(Cell::new(2, 0)),
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         };
         scene.agents.push(agent);
     });

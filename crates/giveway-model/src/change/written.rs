@@ -1,6 +1,5 @@
 //! A change as it is written: one object whose keys depend on its kind.
 
-use std::borrow::Cow;
 use std::fmt;
 
 use serde::de::value::MapAccessDeserializer;
@@ -8,6 +7,7 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::{Change, What};
+use crate::object::{one_of, unknown_key};
 use crate::object_only;
 use crate::{Agent, Cell, tr};
 
@@ -73,17 +73,8 @@ const KINDS: [(&str, Kind); 14] = [
 ];
 
 impl<'de> Deserialize<'de> for Kind {
-    /// By hand, since derived code also takes `{"set-goal": null}`.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let word = Cow::<str>::deserialize(deserializer)?;
-        let kind = KINDS.iter().find(|(name, _)| *name == word);
-        kind.map(|(_, kind)| *kind).ok_or_else(|| {
-            let names: Vec<&str> = KINDS.iter().map(|(name, _)| *name).collect();
-            de::Error::custom(format!(
-                "unknown variant `{word}`, expected one of {}",
-                names.join(" ")
-            ))
-        })
+        one_of(deserializer, &KINDS)
     }
 }
 
@@ -232,8 +223,7 @@ impl TryFrom<Written> for Change {
             Some(key) => {
                 let name = KINDS.iter().find(|(_, other)| *other == kind);
                 let name = name.map_or("", |(name, _)| name);
-                let expected = tr!("the keys of {name}", name);
-                Err(format!("unknown field `{key}`, expected {expected}"))
+                Err(unknown_key(key, name))
             }
         }
     }

@@ -1,7 +1,8 @@
 //! The violations found so far, and their order.
 
-use super::{MAX_VIOLATIONS, Rule, Violation};
+use super::{BrokenConstraint, MAX_VIOLATIONS, Rule, Violation, sentence};
 use crate::sorting::sort_by;
+use crate::constraint::InForce;
 use crate::{Cell, Instance};
 
 /// Where a violation lies.
@@ -57,6 +58,36 @@ impl<'a> Findings<'a> {
         self.found.push((agents.to_vec(), violation));
     }
 
+    /// Notes that a rule of the scene's own is broken.
+    pub(super) fn push_constraint(
+        &mut self,
+        rule: &InForce<'_>,
+        time: u32,
+        agents: &[usize],
+        cells: Vec<Cell>,
+    ) {
+        if self.is_full() {
+            return;
+        }
+        let names: Vec<String> = agents.iter().map(|&a| self.name(a).to_owned()).collect();
+        let message = sentence::constraint(rule.constraint, &names, time);
+        let violation = Violation {
+            rule: Rule::Constraint,
+            agents: names,
+            cell: None,
+            edge: None,
+            time,
+            message,
+            broken: Some(BrokenConstraint {
+                kind: rule.constraint.kind_name().to_owned(),
+                index: rule.index as u32,
+                name: rule.constraint.name.clone(),
+                cells,
+            }),
+        };
+        self.found.push((agents.to_vec(), violation));
+    }
+
     /// Notes that the plan names an agent that the instance has not.
     pub(super) fn push_stranger(&mut self, name: &str, message: String) {
         if self.is_full() {
@@ -100,5 +131,6 @@ fn violation(
         edge,
         time: time as u32,
         message,
+        broken: None,
     }
 }

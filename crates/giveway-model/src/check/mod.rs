@@ -7,6 +7,7 @@
 mod battery;
 mod charges;
 mod collisions;
+mod constraints;
 mod costs;
 mod findings;
 mod moving;
@@ -77,6 +78,8 @@ pub enum Rule {
     Battery,
     /// A charge that is not allowed.
     Charge,
+    /// A rule of the scene's own.
+    Constraint,
 }
 
 impl Rule {
@@ -94,6 +97,7 @@ impl Rule {
             Self::SlowSwap => "slow-swap",
             Self::Battery => "battery",
             Self::Charge => "charge",
+            Self::Constraint => "constraint",
         }
     }
 }
@@ -116,6 +120,22 @@ pub struct Violation {
     pub time: u32,
     /// A sentence for people.
     pub message: String,
+    /// The rule of the scene's own, where it is one.
+    #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
+    pub broken: Option<BrokenConstraint>,
+}
+
+/// The rule of a scene's own that is broken, and where.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct BrokenConstraint {
+    /// The kind of the constraint, as in files.
+    pub kind: String,
+    /// Its number in the scene, from 0.
+    pub index: u32,
+    /// Its name, where it has one.
+    pub name: Option<String>,
+    /// The cells, those of the first agent first.
+    pub cells: Vec<Cell>,
 }
 
 /// The verdict on a plan.
@@ -166,6 +186,7 @@ pub fn check(instance: &Instance, plan: &Plan) -> Report {
     }
     collisions::find(instance, &walks, &mut findings);
     moving::find(instance, &walks, &mut findings);
+    constraints::find(instance, &walks, &mut findings);
     Report {
         violations: findings.into_violations(),
         costs: costs(instance, plan),

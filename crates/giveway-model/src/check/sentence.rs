@@ -2,7 +2,8 @@
 
 use super::charges::NoCharge;
 use super::steps::Broken;
-use crate::{Cell, tr};
+use crate::words::and;
+use crate::{Cell, Constraint, tr};
 
 pub(super) fn no_path(agent: &str) -> String {
     tr!("The plan has no path for {agent}.", agent)
@@ -367,4 +368,17 @@ pub(super) fn moving_swap(
         time,
         next = time + 1
     )
+}
+
+pub(super) fn constraint(rule: &Constraint, agents: &[String], time: u32) -> String {
+    let rule = rule.called();
+    match agents {
+        [agent] => tr!("{agent} breaks {rule} at time {time}.", agent, rule, time),
+        _ => tr!(
+            "{agents} break {rule} at time {time}.",
+            agents = and(agents),
+            rule,
+            time
+        ),
+    }
 }

@@ -40,6 +40,14 @@ pub fn write_scene(scene: &Scene) -> String {
         let assumptions: Vec<String> = scene.assumptions.iter().map(spaced).collect();
         fields.push(field("assumptions", &block('[', &assumptions, ']')));
     }
+    if !scene.zones.is_empty() {
+        let zones: Vec<String> = scene.zones.iter().map(spaced).collect();
+        fields.push(field("zones", &block('[', &zones, ']')));
+    }
+    if !scene.constraints.is_empty() {
+        let constraints: Vec<String> = scene.constraints.iter().map(spaced).collect();
+        fields.push(field("constraints", &block('[', &constraints, ']')));
+    }
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 
@@ -102,6 +110,9 @@ fn agent(agent: &Agent) -> String {
     if let Some(battery) = &agent.battery {
         parts.push(format!("\"battery\": {}", spaced(battery)));
     }
+    if let Some(heading) = &agent.heading {
+        parts.push(format!("\"heading\": {}", json(heading)));
+    }
     format!("{{ {} }}", parts.join(", "))
 }
 
@@ -130,19 +141,21 @@ fn json<T: Serialize>(value: &T) -> String {
     serde_json::to_string(value).unwrap_or_default()
 }
 
-/// JSON on one line with blanks where a person would put them. The value may
-/// hold no text with a comma, colon or bracket, as the format's words have none.
+/// JSON on one line with blanks where a person would put them.
 fn spaced<T: Serialize>(value: &T) -> String {
     let dense = json(value);
     let mut text = String::with_capacity(dense.len() * 5 / 4);
+    let (mut is_quoted, mut is_escaped) = (false, false);
     for c in dense.chars() {
+        is_quoted ^= c == '"' && !is_escaped;
+        is_escaped = c == '\\' && !is_escaped;
         match c {
-            ',' | ':' => {
+            ',' | ':' if !is_quoted => {
                 text.push(c);
                 text.push(' ');
             }
-            '{' => text.push_str("{ "),
-            '}' => text.push_str(" }"),
+            '{' if !is_quoted => text.push_str("{ "),
+            '}' if !is_quoted => text.push_str(" }"),
             c => text.push(c),
         }
     }

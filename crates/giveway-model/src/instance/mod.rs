@@ -9,8 +9,8 @@ pub use start_state::{Breakdown, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::{
-    Agent, Assumption, AtGoal, Cell, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
-    Version, tr, tr_later,
+    Agent, Assumption, AtGoal, Cell, Constraint, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
+    Version, Zone, constraint::InForce, tr, tr_later,
 };
 
 /// The largest map side that is accepted, in cells.
@@ -43,6 +43,8 @@ pub struct Instance {
     objective: Objective,
     agents: Vec<Agent>,
     assumptions: Vec<Assumption>,
+    zones: Vec<Zone>,
+    constraints: Vec<Constraint>,
     /// By the agents' names; an agent that is not here has nothing behind it.
     start_states: BTreeMap<String, StartState>,
 }
@@ -89,6 +91,7 @@ impl Instance {
                 check_agent(&scene.agents, i, &grid, &mut faults);
             }
             check_shared(&scene, &mut faults);
+            crate::constraint::find(&scene, &grid, &mut faults);
         }
         if !faults.is_empty() {
             return Err(faults);
@@ -100,6 +103,8 @@ impl Instance {
             objective: scene.objective,
             agents: scene.agents,
             assumptions: scene.assumptions,
+            zones: scene.zones,
+            constraints: scene.constraints,
             start_states: BTreeMap::new(),
         })
     }
@@ -145,6 +150,32 @@ impl Instance {
         &self.assumptions
     }
 
+    /// The named parts of the map.
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// The zone of a name.
+    pub fn zone(&self, name: &str) -> Option<&Zone> {
+        self.zones.iter().find(|zone| zone.name == name)
+    }
+
+    /// The rules of its own, in force or not.
+    pub fn constraints(&self) -> &[Constraint] {
+        &self.constraints
+    }
+
+    /// The rules of its own that are in force, with the agents that they bind.
+    pub fn constraints_in_force(&self) -> impl Iterator<Item = InForce<'_>> {
+        let constraints = self.constraints.iter().enumerate();
+        constraints.filter_map(|(index, it)| it.in_force(index, &self.agents))
+    }
+
+    /// Whether a rule of its own is in force.
+    pub fn is_constrained(&self) -> bool {
+        self.constraints_in_force().next().is_some()
+    }
+
     /// The same instance without the obstacles that move: every plan of the instance is one
     /// of it, and its bounds are bounds of the instance.
     #[must_use]
@@ -183,6 +214,8 @@ impl Instance {
             objective: self.objective.clone(),
             agents: self.agents.clone(),
             assumptions: self.assumptions.clone(),
+            zones: self.zones.clone(),
+            constraints: self.constraints.clone(),
         }
     }
 }

@@ -70,6 +70,8 @@ impl Instance {
             objective: self.objective.clone(),
             agents: agents.into_iter().map(|(agent, _)| agent).collect(),
             assumptions: self.assumptions.clone(),
+            zones: self.zones.clone(),
+            constraints: self.constraints.clone(),
             start_states,
         }
     }

@@ -26,6 +26,8 @@ impl Instance {
     /// Keeps the first agents only, so many of them.
     pub fn truncate_agents(&mut self, count: usize) {
         self.agents.truncate(count);
+        let agents = &self.agents;
+        self.constraints.retain_mut(|rule| rule.keep_agents(agents));
     }
 
     /// The same instance with one agent only; `None` where nobody has the name.
@@ -39,6 +41,8 @@ impl Instance {
             objective: self.objective.clone(),
             assumptions: self.assumptions.clone(),
             agents: vec![agent.clone()],
+            zones: self.zones.clone(),
+            constraints: self.constraints.clone(),
             start_states: self.start_states.clone(),
         })
     }

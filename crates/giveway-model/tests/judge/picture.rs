@@ -105,6 +105,7 @@ fn read_agent(row: &str, plan: &mut Plan) -> Agent {
         goal: Some(cells.last().copied().flatten().unwrap_or(Cell::new(0, 0))),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     for option in options.split(',').map(str::trim).filter(|o| !o.is_empty()) {
         let (key, value) = option.split_once(' ').unwrap();

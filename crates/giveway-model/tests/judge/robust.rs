@@ -16,6 +16,7 @@ fn row_of_agents(n: u32) -> Instance {
             capacity: 5,
             initial: 5,
         }),
+        heading: None,
     });
     Instance::new(Scene {
         map: vec![".".repeat(n as usize); 2],

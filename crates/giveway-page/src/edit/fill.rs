@@ -59,6 +59,7 @@ impl Fill {
                 goal: Some(goal),
                 waypoints: Vec::new(),
                 battery: None,
+                heading: None,
             });
         }
     }

@@ -13,6 +13,7 @@ fn state() -> State {
         goal: Some(Cell::new(n - 1, 1)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     let scene = Scene {
         map: vec![".".repeat(12), ".".repeat(12)],

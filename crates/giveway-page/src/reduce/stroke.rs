@@ -101,6 +101,7 @@ fn place(state: &mut State, Placing { start, goal, .. }: Placing) {
         goal: Some(goal),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     let count = state.world().agents().len();
     edit(state, Edit::AddAgent(agent));

@@ -21,6 +21,7 @@ pub(super) fn page(map: &[&str], costs: &[Cost]) -> State {
             goal: Some(find(goal)?),
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         })
     };
     let ground = |row: &&str| row.replace(|c: char| c.is_alphabetic(), ".");

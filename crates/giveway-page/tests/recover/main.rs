@@ -27,6 +27,7 @@ fn scene(name: &str) -> Scene {
         goal: Some(Cell::new(3, 0)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     Scene {
         agents: vec![agent],

@@ -145,6 +145,7 @@ fn differences_are_told_in_one_sentence() {
         goal: Some(Cell::new(3, 1)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     });
     assert_eq!(told(two.clone()), "There A2 is one more robot.");
     two.map = vec!["..#.".to_owned(), "....".to_owned()];

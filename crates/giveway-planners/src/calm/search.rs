@@ -21,7 +21,9 @@ use crate::{
     budget::{Budget, Stop},
     local::OtherAgents,
     problem::Problem,
-    single::{Onward, Place, State, Task},
+    rules::Presence,
+    single::{Mask, Onward, Place, State, Task},
+    terrain::Vertex,
     walk::Walk,
 };
 
@@ -94,7 +96,7 @@ fn has_slow_arcs(problem: &Problem) -> bool {
     clippy::disallowed_types,
     reason = "only looked up, never iterated, so its order cannot matter"
 )]
-type Seen = std::collections::HashMap<(u32, Place, u32), u32, FxBuildHasher>;
+type Seen = std::collections::HashMap<(u32, Place, Mask), u32, FxBuildHasher>;
 
 struct Search<'a, O> {
     problem: &'a Problem,
@@ -163,7 +165,13 @@ impl<O: OtherAgents> Search<'_, O> {
         self.task.may_end(v, label.state.mask, label.time)
             && label.time >= self.earliest
             && !(self.problem.rests(self.query.agent)
-                && self.is_met(self.others.after(label.time, v)))
+                && (self.is_met(self.others.after(label.time, v))
+                    || self.is_met(self.met_at_rest(label, v).into_iter())))
+    }
+
+    fn met_at_rest(&self, label: &Label, v: Vertex) -> Vec<AgentId> {
+        let (agent, mask) = (self.query.agent, label.state.mask);
+        self.others.met_at_rest(agent, v, label.time, mask)
     }
 
     fn expand(&mut self, id: u32, label: &Label) {
@@ -213,8 +221,15 @@ impl<O: OtherAgents> Search<'_, O> {
             let against = step
                 .arc
                 .is_some_and(|arc| search.is_met(search.others.against(from.time, arc)));
+            let here = Presence {
+                agent: search.query.agent,
+                time: label.time,
+                place: step.to.place,
+                before: from.state.mask,
+            };
             against
                 || matches!(step.to.place, Place::At(v) if search.is_met(search.others.at(label.time, v)))
+                || search.is_met(search.others.met_by_rules(here).into_iter())
         };
         if self.bound(&label).is_some() && !self.is_dominated(&label) && !meets(self) {
             self.push(label);

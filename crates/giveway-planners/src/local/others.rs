@@ -6,7 +6,8 @@ use crate::{
     AgentId,
     budget::{Budget, Stop},
     problem::Problem,
-    single::Place,
+    rules::Presence,
+    single::{Mask, Place},
     terrain::Vertex,
     walk::{Walk, arrival, crossed},
 };
@@ -41,6 +42,21 @@ pub trait OtherAgents {
         Vec::new()
     }
 
+    /// The agents with which an agent would break a rule between agents.
+    fn met_by_rules(&self, _here: Presence) -> Vec<AgentId> {
+        Vec::new()
+    }
+
+    /// The same of an agent that rests at a vertex after a time, having come so far.
+    fn met_at_rest(&self, _agent: AgentId, _v: Vertex, _time: u32, _mask: Mask) -> Vec<AgentId> {
+        Vec::new()
+    }
+
+    /// The agents with which a walk of an agent breaks a rule between agents.
+    fn met_by_rules_on(&self, _agent: AgentId, _walk: &[Place]) -> BTreeSet<AgentId> {
+        BTreeSet::new()
+    }
+
     /// The best walk of an agent among them, and its number of collisions; see
     /// [`plan_one`](super::plan_one).
     ///
@@ -71,6 +87,7 @@ pub trait OtherAgents {
         {
             met.extend(self.after(arrival(walk), end));
         }
+        met.append(&mut self.met_by_rules_on(agent, walk));
         met.retain(|&other| problem.collide(agent, other));
         met
     }

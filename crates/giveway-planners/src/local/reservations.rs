@@ -9,7 +9,8 @@ use super::OtherAgents;
 use crate::{
     AgentId,
     problem::Problem,
-    single::{Place, Task},
+    rules::{Presence, RuleTable},
+    single::{Mask, Place, Task},
     terrain::Vertex,
     walk::{Walk, arrival, crossed},
 };
@@ -33,6 +34,8 @@ pub struct Reservations<'p> {
     rests: BTreeMap<Vertex, Vec<(u32, AgentId)>>,
     /// The times at which each vertex where an agent may rest is visited by an agent on its way.
     visits: BTreeMap<Vertex, BTreeSet<(u32, AgentId)>>,
+    /// What rules between agents look at, where there are some.
+    rules: Option<RuleTable<'p>>,
 }
 
 impl<'p> Reservations<'p> {
@@ -50,6 +53,7 @@ impl<'p> Reservations<'p> {
             along: Table::default(),
             rests: BTreeMap::new(),
             visits: map(ends.into_iter().map(|v| (v, BTreeSet::new()))),
+            rules: RuleTable::new(problem),
         }
     }
 
@@ -69,6 +73,9 @@ impl OtherAgents for Reservations<'_> {
     }
 
     fn add(&mut self, agent: AgentId, walk: &[Place]) {
+        if let Some(rules) = &mut self.rules {
+            rules.add(agent, walk);
+        }
         for (time, place) in walk.iter().enumerate() {
             if let Place::At(v) = *place {
                 self.at.entry((time as u32, v)).or_default().push(agent);
@@ -92,6 +99,9 @@ impl OtherAgents for Reservations<'_> {
     }
 
     fn remove(&mut self, agent: AgentId, walk: &[Place]) {
+        if let Some(rules) = &mut self.rules {
+            rules.remove(agent, walk);
+        }
         let drop = |table: &mut Table, key: (u32, u32)| {
             if let Some(users) = table.get_mut(&key) {
                 users.retain(|user| *user != agent);
@@ -144,5 +154,22 @@ impl OtherAgents for Reservations<'_> {
     fn last_visit(&self, goal: Vertex) -> Option<u32> {
         let visits = self.visits.get(&goal)?;
         visits.last().map(|&(time, _)| time)
+    }
+
+    fn met_by_rules(&self, here: Presence) -> Vec<AgentId> {
+        let rules = self.rules.iter();
+        rules.flat_map(|rules| rules.met(here)).collect()
+    }
+
+    fn met_at_rest(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
+        let rules = self.rules.iter();
+        rules
+            .flat_map(|rules| rules.met_at_rest(agent, v, time, mask))
+            .collect()
+    }
+
+    fn met_by_rules_on(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {
+        let rules = self.rules.as_ref();
+        rules.map_or_else(BTreeSet::new, |rules| rules.met_by(agent, walk))
     }
 }

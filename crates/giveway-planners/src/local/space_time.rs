@@ -14,7 +14,8 @@ use crate::{
     AgentId,
     budget::{Budget, Stop},
     problem::Problem,
-    single::{self as task, Place},
+    rules::Presence,
+    single::{self as task, Mask, Place},
     walk::Walk,
 };
 
@@ -33,7 +34,7 @@ pub struct Query {
 
 struct Label {
     place: Place,
-    mask: u32,
+    mask: Mask,
     battery: u32,
     time: u32,
     collisions: u32,
@@ -44,7 +45,7 @@ struct Label {
     clippy::disallowed_types,
     reason = "only looked up, never iterated, so its order cannot matter"
 )]
-type Seen = std::collections::HashMap<(u32, Place, u32), (u32, u32), FxBuildHasher>;
+type Seen = std::collections::HashMap<(u32, Place, Mask), (u32, u32), FxBuildHasher>;
 
 /// Arrival and the price of collisions, then collisions, then late states
 /// first, then order of birth.
@@ -118,6 +119,7 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
             Place::At(v) => self.count(self.others.at(0, v)),
             Place::Along(_) => 0,
         };
+        let collisions = collisions + self.broken_rules(task.first_place(), 0, 0);
         if collisions > 0 && self.query.conflict_penalty.is_none() {
             return Ok(None);
         }
@@ -150,6 +152,21 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
             .count() as u32
     }
 
+    /// With how many agents it breaks a rule between agents at a place and time; `before`
+    /// is how far it had come the time before.
+    fn broken_rules(&self, place: Place, time: u32, before: Mask) -> u32 {
+        if !self.problem.has_rules_between() {
+            return 0;
+        }
+        let here = Presence {
+            agent: self.query.agent,
+            time,
+            place,
+            before,
+        };
+        self.others.met_by_rules(here).len() as u32
+    }
+
     /// An agent at its goal may end there, if nobody comes by later.
     fn try_to_end(&mut self, id: u32) {
         let task = &self.problem.tasks[self.query.agent];
@@ -158,8 +175,10 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
         if !task.may_end(v, state.mask, state.time) {
             return;
         }
-        let later = if self.problem.rests(self.query.agent) {
-            self.count(self.others.after(state.time, v))
+        let (agent, rests) = (self.query.agent, self.problem.rests(self.query.agent));
+        let later = if rests {
+            let at_rest = self.others.met_at_rest(agent, v, state.time, state.mask);
+            self.count(self.others.after(state.time, v)) + at_rest.len() as u32
         } else {
             0
         };
@@ -184,12 +203,18 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
         task.onward(&problem.terrain, from, time, true, |step| {
             let against = step.arc.map(|arc| self.count(others.against(time, arc)));
             let collisions = collisions + against.unwrap_or(0);
-            self.reach(step.to, time + 1, collisions, id);
+            self.reach(step.to, time + 1, collisions, (id, from.mask));
         });
     }
 
     /// The cheap check comes first: most ways are too long.
-    fn reach(&mut self, to: task::State, time: u32, collisions: u32, parent: u32) {
+    fn reach(
+        &mut self,
+        to: task::State,
+        time: u32,
+        collisions: u32,
+        (parent, before): (u32, Mask),
+    ) {
         let Some(bound) = self.bound(to, time) else {
             return;
         };
@@ -200,6 +225,7 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
             Place::At(v) => self.count(self.others.at(time, v)),
             Place::Along(_) => 0,
         };
+        let met = met + self.broken_rules(to.place, time, before);
         if self.query.conflict_penalty.is_some() || collisions + met == 0 {
             self.push(to, (time, bound), collisions + met, parent);
         }

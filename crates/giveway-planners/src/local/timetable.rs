@@ -34,9 +34,10 @@ pub struct Timetable<'p> {
 
 impl<'p> Timetable<'p> {
     /// Of nobody; `None` where walks may collide by what is asked for, or begin
-    /// half way along an arc, which spans do not tell.
+    /// half way along an arc, which spans do not tell; or where rules are between agents.
     pub fn new(problem: &'p Problem) -> Option<Self> {
         let fits = problem.relaxed.ignored.is_empty()
+            && !problem.has_rules_between()
             && problem.tasks.iter().all(|task| task.transit.is_none());
         fits.then(|| Self {
             problem,

@@ -3,15 +3,19 @@
 //! What forbids or asks for places, crossings and charges is part of the agent's own
 //! task: its tables, its MDD and its searches keep to it by construction, and bounds
 //! of the agent alone are bounds with the conditions. What must be done sets a bit of
-//! the mask, after those of the waypoints. What counts over a whole walk (fewer moves,
-//! no long wait) is a clause inside the SAT solver and a check on plans found without
-//! it.
+//! the mask, after those of the waypoints; what is counted on the way is a digit above
+//! these ([`Counter`]). What costs over a whole walk (fewer moves) is a clause inside the
+//! SAT solver and a check on plans found without it.
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, condition::Times};
+use giveway_model::{Cost, condition::Times, constraint::Heading};
 
-use super::{Place, task::Mask};
+use super::{
+    Area, Counter, Turns,
+    counter::{Passage, last_of},
+    task::{COUNTS, Mask},
+};
 use crate::terrain::Vertex;
 
 /// Any number of conditions on one agent.
@@ -19,8 +23,8 @@ use crate::terrain::Vertex;
 pub struct Automaton {
     /// The forbidden acts.
     pub forbidden: Vec<Forbidden>,
-    /// Waits that it must not make.
-    pub waits: Vec<LongWait>,
+    /// What is counted on the way.
+    pub counters: Vec<Counter>,
     /// The required acts; the i-th has the i-th bit after the waypoints.
     pub required: Vec<Required>,
     /// The most that it may have of some costs; the makespan is its arrival.
@@ -41,25 +45,12 @@ pub struct Forbidden {
 /// An act of an agent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Act {
-    /// It is at a vertex.
-    Stand(Vertex),
-    /// It begins to cross one of these arcs.
+    /// It is at one of these vertices.
+    Stand(Area),
+    /// It begins to cross one of these arcs, in ascending order.
     Cross(Vec<u32>),
     /// It charges at this vertex, or at any.
     Charge(Option<Vertex>),
-}
-
-/// So many wait steps on end at a vertex, or anywhere, that begin within some times.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct LongWait {
-    /// The vertex; anywhere where it is `None`.
-    pub at: Option<Vertex>,
-    /// When the steps begin.
-    pub times: Times,
-    /// The number of steps, at least 1.
-    pub steps: u32,
-    /// How many of them were made before time 0 already, fewer than that number.
-    pub begun: u32,
 }
 
 /// Something that an agent must do.
@@ -86,8 +77,8 @@ pub enum Required {
 pub enum Part<'a> {
     /// Something that it must not do.
     Forbidden(&'a Forbidden),
-    /// A wait that it must not make.
-    LongWait(&'a LongWait),
+    /// Something that is counted on the way.
+    Counter(&'a Counter),
     /// Something that it must do, and its number.
     Required(usize, &'a Required),
     /// The most that it may have of a cost.
@@ -99,7 +90,7 @@ impl Part<'_> {
     fn last_time(self) -> Option<u32> {
         match self {
             Self::Forbidden(forbidden) => last_of(forbidden.times),
-            Self::LongWait(wait) => last_of(wait.times),
+            Self::Counter(counter) => counter.last_time(),
             Self::Required(_, required) => last_of(required.times()),
             Self::Limit(Cost::Makespan, most) => Some(most),
             Self::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, _) => None,
@@ -111,35 +102,6 @@ impl Part<'_> {
 /// forbidden at all of them.
 fn is_now(times: Times, now: Option<u32>) -> bool {
     now.map_or_else(|| times.are_all(), |now| times.contains(now))
-}
-
-/// The last time at which it matters whether times have it.
-fn last_of(times: Times) -> Option<u32> {
-    (!times.are_all()).then(|| times.to.unwrap_or_else(|| times.first()))
-}
-
-impl LongWait {
-    /// Whether a wait step is one of those that count.
-    pub fn counts(&self, at: Vertex, now: u32) -> bool {
-        self.at.is_none_or(|v| v == at) && self.times.contains(now)
-    }
-
-    /// The number of steps waited so far, after one more step.
-    pub fn count(&self, waited: u32, from: Place, to: Place, now: u32) -> u32 {
-        match from {
-            Place::At(v) if from == to && self.counts(v, now) => waited + 1,
-            Place::At(_) | Place::Along(_) => 0,
-        }
-    }
-
-    /// Whether a walk does not have it.
-    pub fn is_kept(&self, walk: &[Place]) -> bool {
-        let mut waited = self.begun;
-        walk.windows(2).zip(0..).all(|(pair, now)| {
-            waited = self.count(waited, pair[0], pair[1], now);
-            waited < self.steps
-        })
-    }
 }
 
 impl Required {
@@ -173,7 +135,7 @@ impl Automaton {
     pub fn parts(&self) -> impl Iterator<Item = Part<'_>> {
         let Self {
             forbidden,
-            waits,
+            counters,
             required,
             limits,
         } = self;
@@ -181,7 +143,7 @@ impl Automaton {
         let limits = limits.iter().map(|(&cost, &most)| Part::Limit(cost, most));
         let forbidden = forbidden.iter().map(Part::Forbidden);
         forbidden
-            .chain(waits.iter().map(Part::LongWait))
+            .chain(counters.iter().map(Part::Counter))
             .chain(required.map(|(number, it)| Part::Required(number, it)))
             .chain(limits)
     }
@@ -235,7 +197,7 @@ impl Automaton {
     /// Whether it may be at a vertex, the waypoints of the mask visited.
     pub fn may_stand(&self, at: Vertex, mask: Mask, now: Option<u32>) -> bool {
         !self.forbids(mask, now, |act| match act {
-            Act::Stand(v) => *v == at,
+            Act::Stand(area) => area.has(at),
             Act::Cross(_) | Act::Charge(_) => false,
         })
     }
@@ -243,7 +205,7 @@ impl Automaton {
     /// Whether it may begin to cross an arc.
     pub fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
         !self.forbids(0, now, |act| match act {
-            Act::Cross(arcs) => arcs.contains(&arc),
+            Act::Cross(arcs) => arcs.binary_search(&arc).is_ok(),
             Act::Stand(_) | Act::Charge(_) => false,
         })
     }
@@ -254,14 +216,6 @@ impl Automaton {
             Act::Charge(v) => v.is_none_or(|v| v == at),
             Act::Stand(_) | Act::Cross(_) => false,
         })
-    }
-
-    /// Whether it may wait a step at a vertex; long waits are counted elsewhere.
-    pub fn may_wait(&self, at: Vertex, now: u32) -> bool {
-        !self
-            .waits
-            .iter()
-            .any(|wait| wait.steps == 1 && wait.counts(at, now))
     }
 
     /// The required acts that beginning to cross an arc fulfils, as bits from 0 on.
@@ -275,47 +229,111 @@ impl Automaton {
     pub fn due(&self, now: u32) -> Mask {
         self.parts().fold(0, |bits, part| match part {
             Part::Required(number, required) if required.times().last() < now => bits | 1 << number,
-            Part::Required(..) | Part::Forbidden(_) | Part::LongWait(_) | Part::Limit(..) => bits,
+            Part::Required(..) | Part::Forbidden(_) | Part::Counter(_) | Part::Limit(..) => bits,
         })
     }
 
-    /// The last time that a condition on places, moves and charges is about, where one
-    /// is about some.
-    pub fn last_time_of_ways(&self) -> Option<u32> {
-        let ways = self.parts().filter(|part| match part {
-            Part::Forbidden(_) | Part::Required(..) => true,
-            Part::LongWait(_) | Part::Limit(..) => false,
-        });
-        ways.filter_map(Part::last_time).max()
-    }
-
-    /// The same of all conditions on what it does on its way.
-    pub fn last_time_of_steps(&self) -> Option<u32> {
-        let steps = self.parts().filter(|part| match part {
-            Part::Forbidden(_) | Part::Required(..) | Part::LongWait(_) => true,
-            Part::Limit(..) => false,
-        });
-        steps.filter_map(Part::last_time).max()
-    }
-
-    /// The same of all conditions.
+    /// The last time that a condition is about, where one is about some.
     pub fn last_time(&self) -> Option<u32> {
         self.parts().filter_map(Part::last_time).max()
     }
 
-    /// The lengths of the waits that it must not have at time 0.
-    pub fn first_runs(&self) -> Vec<u32> {
-        self.waits.iter().map(|wait| wait.begun).collect()
+    /// The last time that a condition on what it does on its way is about.
+    pub fn last_time_of_ways(&self) -> Option<u32> {
+        let ways = self.parts().filter(|part| match part {
+            Part::Forbidden(_) | Part::Required(..) | Part::Counter(_) => true,
+            Part::Limit(..) => false,
+        });
+        ways.filter_map(Part::last_time).max()
     }
 
-    /// The lengths of the waits that it must not have, as they are after a step, if it
-    /// may take it.
-    pub fn runs(&self, runs: &[u32], from: Place, to: Place, now: u32) -> Option<Vec<u32>> {
-        let run = |(wait, &run): (&LongWait, &u32)| {
-            let run = wait.count(run, from, to, now);
-            (run < wait.steps).then_some(run)
-        };
-        self.waits.iter().zip(runs).map(run).collect()
+    /// Whether tables tell all about its ways: none is about times, and nothing is counted.
+    pub fn is_in_tables(&self) -> bool {
+        self.counters.is_empty() && self.last_time_of_ways().is_none()
+    }
+
+    /// The counts at the time at which it is at a vertex for the first time; `None`
+    /// where being there is forbidden.
+    pub fn first_counts(&self, at: Vertex, now: u32) -> Option<Mask> {
+        self.counted(0, |counter, _| counter.first(at, now))
+    }
+
+    /// The counts of a mask after a time step; `None` where the step is forbidden.
+    pub fn count(&self, mask: Mask, passage: Passage) -> Option<Mask> {
+        self.counted(mask, |counter, count| counter.next(count, passage))
+    }
+
+    /// A mask whose counts become other ones, digit by digit.
+    fn counted(
+        &self,
+        mask: Mask,
+        mut next: impl FnMut(&Counter, u32) -> Option<u32>,
+    ) -> Option<Mask> {
+        let (mut before, mut unit) = (mask >> COUNTS, 1);
+        let mut after = mask & ((1 << COUNTS) - 1);
+        for counter in &self.counters {
+            let size = Mask::from(counter.size());
+            let count = next(counter, (before % size) as u32)?;
+            before /= size;
+            after += (Mask::from(count) * unit) << COUNTS;
+            unit *= size;
+        }
+        Some(after)
+    }
+
+    /// Each counter with its count in a mask.
+    pub fn counts_in(&self, mask: Mask) -> impl Iterator<Item = (&Counter, u32)> {
+        let mut rest = mask >> COUNTS;
+        self.counters.iter().map(move |counter| {
+            let size = Mask::from(counter.size());
+            let count = (rest % size) as u32;
+            rest /= size;
+            (counter, count)
+        })
+    }
+
+    /// Whether the counts of a mask allow it to arrive at a vertex at a time.
+    pub fn may_end(&self, mask: Mask, v: Vertex, now: u32) -> bool {
+        self.counters.is_empty()
+            || self
+                .counts_in(mask)
+                .all(|(counter, count)| counter.may_end(count, v, now))
+    }
+
+    /// The steps that it still has to stand somewhere, as the counts of a mask show. Turns
+    /// are in the tables, and it may turn while it stands.
+    pub fn still_to_stand(&self, mask: Mask) -> u32 {
+        if self.turns().is_some() {
+            return 0;
+        }
+        let left = self
+            .counts_in(mask)
+            .map(|(counter, count)| counter.still_to_stand(count));
+        left.max().unwrap_or(0)
+    }
+
+    /// The turns that take time.
+    pub fn turns(&self) -> Option<&Turns> {
+        self.counters.iter().find_map(|counter| match counter {
+            Counter::Turns(turns) => Some(turns),
+            _ => None,
+        })
+    }
+
+    /// Where it faces, and how long it has stood, where turns take time.
+    pub fn facing(&self, mask: Mask) -> Option<(Option<Heading>, u32)> {
+        self.turns()?; // (most agents need no look at their counts)
+        self.counts_in(mask).find_map(|(counter, count)| match counter {
+            Counter::Turns(turns) => Some(turns.facing(count)),
+            _ => None,
+        })
+    }
+
+    /// Whether masks can hold all counts.
+    pub fn fits_into_masks(&self) -> bool {
+        let sizes = self.counters.iter().map(|counter| Mask::from(counter.size()));
+        let all = sizes.fold(Some(1), |all: Option<Mask>, size| all?.checked_mul(size));
+        all.is_some_and(|all| all < 1 << (Mask::BITS - COUNTS))
     }
 
     /// Whether the agent has to be inside the SAT solver: plans made outside
@@ -326,8 +344,7 @@ impl Automaton {
                 Act::Charge(_) => self.must_charge(),
                 Act::Stand(_) | Act::Cross(_) => false,
             },
-            Part::LongWait(wait) => wait.steps > 1,
-            Part::Required(..) => false,
+            Part::Counter(_) | Part::Required(..) => false,
             Part::Limit(cost, _) => cost != Cost::Makespan,
         })
     }
@@ -336,7 +353,7 @@ impl Automaton {
     /// apart.
     pub fn counts(&self) -> usize {
         let counts = self.parts().map(|part| match part {
-            Part::LongWait(wait) => (wait.steps as usize).saturating_add(1),
+            Part::Counter(counter) => counter.size() as usize,
             Part::Required(_, Required::Charge { .. }) => 2,
             Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) | Part::Limit(..) => 1,
         });

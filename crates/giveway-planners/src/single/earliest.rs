@@ -1,10 +1,12 @@
-//! The earliest arrival of an agent alone, where conditions are about times.
+//! The earliest arrival of an agent alone, where tables do not tell it: conditions are about
+//! times, or something is counted on the way.
 //!
-//! Tables know no times, so they only bound it from below. Up to the last time
-//! that they are about, all states are followed step by step, each with
-//! its fullest battery; from there on the tables are exact.
+//! Tables take the best case, so they only bound it from below. A* over the agent's
+//! own states follows times and counts; beyond the last time that anything is
+//! about all times are alike, so that there are finitely many states.
 
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
 
 use super::{CostToGo, NoPlanAlone, Place, Required, State, Task, task::Mask};
 use crate::{
@@ -44,21 +46,16 @@ pub fn earliest(
     let Some(first) = task.first() else {
         return Ok(Err(no_plan));
     };
-    let table = at_rest(task, terrain, cost_to_go, first);
-    let Some(table) = table.map(|table| table.max(task.not_before)) else {
+    let conditions = &task.conditions;
+    let in_tables = conditions.is_in_tables();
+    let table = if in_tables {
+        at_rest(task, terrain, cost_to_go, first)
+    } else {
+        cost_to_go.from(task.start, first.mask, first.battery)
+    };
+    let Some(bound) = table.map(|table| table.max(task.not_before)) else {
         return Ok(Err(no_plan));
     };
-    let conditions = &task.conditions;
-    // Alone it has no need to wait, but for a breakdown before its arrival.
-    let arrives = task.delay() == 0 && task.is_end(task.start, first.mask);
-    if !arrives {
-        let delayed = (0..task.delay()).map(|_| task.first_place());
-        let held = (task.delay()..=task.earliest_move).map(|_| Place::At(task.start));
-        let walk: Vec<Place> = delayed.chain(held).collect();
-        if !conditions.waits.iter().all(|wait| wait.is_kept(&walk)) {
-            return Ok(Err(no_plan));
-        }
-    }
     let known = |arrival| {
         if arrival <= task.not_after() {
             Ok(arrival)
@@ -66,58 +63,87 @@ pub fn earliest(
             Err(no_plan)
         }
     };
-    let Some(last) = conditions.last_time_of_ways().and(
-        conditions
-            .last_time_of_steps()
-            .max(Some(task.earliest_move)),
-    ) else {
-        return Ok(known(table));
-    };
+    if in_tables {
+        return Ok(known(bound));
+    }
+    let last = task.last_time().unwrap_or(0);
     if last > MOST_TIMES {
         // The tables give a lower bound, which need not be an arrival.
         let done = conditions.required.iter().map(Required::times);
         let done = done.filter(|times| !times.are_all());
-        let bound = done.fold(table, |bound, times| {
+        let bound = done.fold(bound, |bound, times| {
             bound.max(times.first().saturating_add(1))
         });
         return Ok(known(bound));
     }
-    let runs = conditions.first_runs();
-    let mut layer: BTreeMap<(Place, Mask, Vec<u32>), u32> = BTreeMap::new();
-    layer.insert((first.place, first.mask, runs), first.battery);
-    let mut best: Option<u32> = None;
-    for now in 0..=last {
-        let mut next = BTreeMap::new();
-        for ((place, mask, runs), battery) in layer {
+    let mut search = Search {
+        task,
+        terrain,
+        cost_to_go,
+        last,
+        reached: BTreeMap::new(),
+        open: BinaryHeap::new(),
+    };
+    let arrival = search.run(first, budget)?;
+    Ok(arrival.ok_or(no_plan).and_then(known))
+}
+
+/// A state, and the time as far as it matters.
+type Key = (Place, Mask, u32);
+
+struct Search<'a> {
+    task: &'a Task,
+    terrain: &'a Terrain,
+    cost_to_go: &'a CostToGo,
+    /// Later times are alike.
+    last: u32,
+    /// When and with which level of the battery states were reached.
+    reached: BTreeMap<Key, Vec<(u32, u32)>>,
+    /// States by the least arrival that they allow, late ones first.
+    open: BinaryHeap<Reverse<(u32, Reverse<u32>, State)>>,
+}
+
+impl Search<'_> {
+    fn run(&mut self, first: State, budget: &dyn Budget) -> Result<Option<u32>, Stop> {
+        self.reach(first, 0);
+        while let Some(Reverse((_, Reverse(now), state))) = self.open.pop() {
             budget.tick()?;
-            let may_end = matches!(place, Place::At(v) if task.may_end(v, mask, now));
-            if may_end {
-                best = Some(best.map_or(now, |best| best.min(now)));
+            if let Place::At(v) = state.place
+                && self.task.may_end(v, state.mask, now)
+            {
+                return Ok(Some(now));
             }
-            let state = State {
-                place,
-                mask,
-                battery,
-            };
-            task.onward(terrain, state, now, true, |step| {
-                let to = step.to;
-                let Some(runs) = conditions.runs(&runs, place, to.place, now) else {
-                    return;
-                };
-                let fullest = next.entry((to.place, to.mask, runs)).or_insert(to.battery);
-                *fullest = to.battery.max(*fullest);
-            });
+            let mut next = Vec::new();
+            let (task, terrain) = (self.task, self.terrain);
+            task.onward(terrain, state, now, true, |step| next.push(step.to));
+            for to in next {
+                self.reach(to, now + 1);
+            }
         }
-        layer = next;
+        Ok(None)
     }
-    for ((place, mask, _), battery) in layer {
+
+    fn reach(&mut self, state: State, now: u32) {
+        let State {
+            place,
+            mask,
+            battery,
+        } = state;
         let (v, delay) = match place {
             Place::At(v) => (v, 0),
-            Place::Along(arc) => (terrain.ends(arc).1, 1),
+            Place::Along(arc) => (self.terrain.ends(arc).1, 1),
         };
-        let rest = cost_to_go.from(v, mask | task.bit(v), battery);
-        let arrival = rest.map(|rest| (last + 1 + delay + rest).max(task.not_before));
-        best = best.into_iter().chain(arrival).min();
+        let mask_there = mask | self.task.bit(v);
+        let Some(rest) = self.cost_to_go.from(v, mask_there, battery) else {
+            return;
+        };
+        let arrival = (now + delay + rest).max(self.task.not_before);
+        let key = (place, mask, now.min(self.last + 1));
+        let known = self.reached.entry(key).or_default();
+        let is_known = known.iter().any(|&(time, fuller)| time <= now && fuller >= battery);
+        if !is_known {
+            known.push((now, battery));
+            self.open.push(Reverse((arrival, Reverse(now), state)));
+        }
     }
-    Ok(best.ok_or(no_plan).and_then(known))
 }

@@ -88,16 +88,17 @@ pub struct Mdd {
 impl Mdd {
     /// An empty MDD that knows its first node.
     pub fn new(task: &Task, optimum: u32) -> Self {
-        let first = Step {
-            place: task.first_place(),
-            mask: task.first_mask(),
-            battery: task.first_level(),
+        // (One that is forbidden at time 0 has no optimum, and no diagram is asked for.)
+        let first = task.first().map(|state| Step {
+            place: state.place,
+            mask: state.mask,
+            battery: state.battery,
             f_value: optimum,
-        };
+        });
         Self {
             nodes: Vec::new(),
             index: Index::default(),
-            open: map([((optimum, 0), vec![first])]),
+            open: map([((optimum, 0), Vec::from_iter(first))]),
             deadline: None,
             optimum,
             held: MemoryUse::default(),

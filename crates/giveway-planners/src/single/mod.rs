@@ -1,7 +1,9 @@
 //! One agent alone: its task, its exact distances, its MDD of good plans.
 
+mod area;
 mod automaton;
 mod cost_to_go;
+mod counter;
 mod distances;
 mod earliest;
 mod mdd;
@@ -11,8 +13,10 @@ mod task;
 #[cfg(test)]
 mod tests;
 
-pub use automaton::{Act, Automaton, Forbidden, LongWait, Part, Required};
+pub use area::Area;
+pub use automaton::{Act, Automaton, Forbidden, Part, Required};
 pub use cost_to_go::{CostToGo, Metric};
+pub use counter::{Counter, LongWait, Passage, Stay, Turns};
 pub use earliest::earliest;
 pub use mdd::{Mdd, Node, NodeId, Place};
 pub use no_plan_alone::{NoPlanAlone, has_to_be_at};

@@ -38,6 +38,9 @@ impl Task {
     ) {
         let mut go = |place, mask, battery: Option<u32>, arc| {
             let Some(battery) = battery else { return };
+            let Some(mask) = self.counted(terrain, mask, [from.place, place], now) else {
+                return;
+            };
             let stands = match place {
                 Place::At(v) => self.may_stand(v, mask, Some(now + 1)),
                 Place::Along(_) => true,
@@ -60,9 +63,7 @@ impl Task {
             Place::At(u) => {
                 let charges = charging && self.may_charge(terrain, u, Some(now));
                 let after = |steps| self.level_after(from.battery, steps, charges);
-                if self.may_wait(u, now) {
-                    go(Place::At(u), from.mask, after(1), None);
-                }
+                go(Place::At(u), from.mask, after(1), None);
                 for arc in terrain.arcs(u) {
                     if !self.may_cross(arc.id, Some(now)) {
                         continue;

@@ -4,12 +4,16 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Battery, Rules, StartState};
 
-use super::{Automaton, NoPlanAlone, Place, State, has_to_be_at};
+use super::{Automaton, Counter, NoPlanAlone, Passage, Place, State, has_to_be_at};
 use crate::terrain::{Arc, Terrain, Vertex};
 
-/// A set of visited waypoints, one bit each in the order of the agent's list;
-/// after them one for each thing that a condition asks for.
-pub type Mask = u32;
+/// How far an agent has come: a set of visited waypoints, one bit each in the order of the
+/// agent's list; after them one for each thing that a condition asks for; and from bit
+/// [`COUNTS`] on what is counted on the way.
+pub type Mask = u64;
+
+/// The bits of masks that tables know.
+pub(super) const COUNTS: u32 = 24;
 
 /// The largest number of waypoints that masks can hold, and that exact tables
 /// over their subsets can bear.
@@ -190,11 +194,19 @@ impl Task {
 
     /// The waypoint at a vertex, as a set of one; empty elsewhere.
     pub fn bit(&self, v: Vertex) -> Mask {
-        if self.along().is_some() {
+        if self.waypoints.is_empty() || self.along().is_some() {
             return 0;
         }
         let found = self.waypoints.iter().position(|&w| w == v);
         found.map_or(0, |i| 1 << i)
+    }
+
+    /// Whether it has been at a vertex that it has to visit, or of which it is noted.
+    pub fn has_been(&self, mask: Mask, v: Vertex) -> bool {
+        let noted = |(counter, count): (&Counter, u32)| {
+            count > 0 && *counter == Counter::Visited(v)
+        };
+        self.bit(v) & mask != 0 || self.conditions.counts_in(mask).any(noted)
     }
 
     /// Makes a vertex a waypoint, where it is none; the set of it alone.
@@ -221,6 +233,11 @@ impl Task {
         u32::from(self.transit.is_some())
     }
 
+    /// The bits of a mask that tables know.
+    pub const fn set_of(mask: Mask) -> Mask {
+        mask & ((1 << COUNTS) - 1)
+    }
+
     /// Where it is at time 0.
     pub fn first_place(&self) -> Place {
         self.transit.map_or(Place::At(self.start), Place::Along)
@@ -237,11 +254,33 @@ impl Task {
     pub fn depart(&self, mask: Mask, arc: &Arc, now: Option<u32>) -> Option<Mask> {
         match self.along() {
             Some(path) => {
-                let next = path.get(mask as usize + 1);
+                let next = path.get(Self::set_of(mask) as usize + 1);
                 (next == Some(&arc.to)).then_some(mask + 1)
             }
             None => Some(mask | self.crossed(arc.id, now)),
         }
+    }
+
+    /// A mask after a time step, by what is counted; `None` where the step is forbidden.
+    pub fn counted(&self, terrain: &Terrain, mask: Mask, step: [Place; 2], now: u32) -> Option<Mask> {
+        if self.conditions.counters.is_empty() {
+            return Some(mask);
+        }
+        let [from, to] = step;
+        let heading = match (from, to) {
+            (Place::At(_), Place::Along(arc)) => terrain.heading(arc),
+            (Place::At(u), Place::At(v)) => terrain.heading_between(u, v),
+            (Place::Along(_), _) => None,
+        };
+        self.conditions.count(
+            mask,
+            Passage {
+                from,
+                to,
+                heading,
+                now,
+            },
+        )
     }
 
     /// The bits that beginning to cross an arc sets; none for most arcs.
@@ -267,11 +306,6 @@ impl Task {
     /// Whether it may begin to cross an arc.
     pub fn may_cross(&self, arc: u32, now: Option<u32>) -> bool {
         now.is_none_or(|now| now >= self.earliest_move) && self.conditions.may_cross(arc, now)
-    }
-
-    /// Whether it may wait a step.
-    pub fn may_wait(&self, v: Vertex, now: u32) -> bool {
-        self.conditions.may_wait(v, now)
     }
 
     /// Whether it may charge at a vertex.
@@ -302,7 +336,8 @@ impl Task {
 
     /// The state at time 0; `None` where a condition forbids it.
     pub fn first(&self) -> Option<State> {
-        let mask = self.first_mask();
+        let counts = self.conditions.first_counts(self.start, self.delay())?;
+        let mask = self.first_mask() | counts;
         let state = State {
             place: self.first_place(),
             mask,
@@ -317,7 +352,7 @@ impl Task {
 
     /// Whether being at a vertex with these waypoints visited is arriving.
     pub fn is_end(&self, v: Vertex, mask: Mask) -> bool {
-        self.may_rest_at(v) && mask == self.all()
+        self.may_rest_at(v) && Self::set_of(mask) == self.all()
     }
 
     /// Whether being at a vertex at a time with these waypoints visited is an arrival
@@ -327,6 +362,7 @@ impl Task {
         self.is_end(v, mask)
             && now >= self.not_before
             && self.not_resting.iter().all(rests_elsewhere)
+            && self.conditions.may_end(mask, v, now)
     }
 
     /// Whether a vertex is its goal; each is one of an agent without a goal.

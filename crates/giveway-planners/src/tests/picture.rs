@@ -49,6 +49,7 @@ fn read_cell(text: &str, cell: Cell, agents: &mut BTreeMap<char, Agent>) -> char
             goal: Some(cell),
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         });
         if chars.next_if_eq(&'!').is_some() {
             agent.waypoints.push(cell);

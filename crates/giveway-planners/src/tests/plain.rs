@@ -37,6 +37,7 @@ pub(crate) fn plain(
             goal: Some(goal),
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         };
         scene.agents = ways.map(agent).collect();
         return Instance::new(scene).unwrap();

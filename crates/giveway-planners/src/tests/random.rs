@@ -44,6 +44,7 @@ pub(crate) fn random(seed: u64, agents: usize) -> Instance {
                 goal: Some(goals[i]),
                 waypoints: free[..rng.usize(..3).min(free.len())].to_vec(),
                 battery: Some(battery).filter(|_| rng.bool()),
+                heading: None,
             });
         }
         return Instance::new(scene).unwrap();

@@ -15,7 +15,6 @@
 
 mod layers;
 mod read;
-mod waits;
 mod write;
 
 use std::collections::BTreeMap;
@@ -36,6 +35,8 @@ pub(crate) struct Added {
     pub(crate) positions: Vec<(u32, Vertex, Lit)>,
     /// It crosses an arc in the step from a time when both literals are true.
     pub(crate) crossings: Vec<(u32, Arc, [Lit; 2])>,
+    /// It is half way along the arc of a number at a time when the literal is true.
+    pub(crate) transits: Vec<(u32, u32, Lit)>,
     /// It takes a step from one node to another, begun at a time.
     pub(crate) steps: Vec<TakenStep>,
 }
@@ -76,8 +77,9 @@ pub(crate) struct MddEncoding {
     due: BTreeMap<u32, Vec<NodeId>>,
     /// `by[i]`: arrived by `optimum + i`.
     by: Vec<Lit>,
-    /// Whether it may rest at any vertex.
-    anywhere: bool,
+    /// Whether its rests are written as far as others come: it may rest at any vertex, or
+    /// rules between agents look at those that rest.
+    rests_on: bool,
     /// By vertex: arrived before a time, and there then.
     rest: BTreeMap<Vertex, Rest>,
     positions: BTreeMap<(u32, Vertex), Lit>,
@@ -99,7 +101,7 @@ impl MddEncoding {
             written: Vec::new(),
             due: BTreeMap::new(),
             by: Vec::new(),
-            anywhere: problem.rests(id) && task.goal.is_none(),
+            rests_on: problem.rests(id) && (task.goal.is_none() || !problem.between.is_empty()),
             rest: BTreeMap::new(),
             positions: BTreeMap::new(),
             alone: Vec::new(),
@@ -155,7 +157,7 @@ impl MddEncoding {
 
     /// Writes what a later deadline needs, and tells what it added.
     ///
-    /// An agent that may rest anywhere rests up to `reach` at least.
+    /// An agent whose rests are written on rests up to `reach` at least.
     ///
     /// # Errors
     /// When the budget is spent.
@@ -183,7 +185,7 @@ impl MddEncoding {
             self.due.entry(0).or_default().push(id);
         }
         self.begin_rests(old, task);
-        let until = if self.anywhere {
+        let until = if self.rests_on {
             // An end at the deadline, too, is followed by a rest.
             reach.max(deadline.saturating_add(1))
         } else {
@@ -205,24 +207,23 @@ impl MddEncoding {
             let optimum = self.optimum;
             battery.grow(deadline, |time, out| by(chain, optimum, time, out), out);
         }
-        self.write_waits(old, &task.conditions, out);
         budget.check()?;
         Ok(added)
     }
 
-    /// Lets an agent that may rest anywhere rest up to a time; any other agent keeps
+    /// Lets an agent whose rests are written on rest up to a time; any other agent keeps
     /// its goal free by its deadline.
     pub(crate) fn reach(&mut self, until: u32, task: &Task, out: &mut impl Clauses) -> Added {
         let mut added = Added::default();
-        if self.anywhere {
+        if self.rests_on {
             self.write_rest(until, task, &mut added, out);
         }
         added
     }
 
-    /// Whether it may rest at any vertex, so that [`MddEncoding::reach`] matters.
-    pub(crate) const fn rests_anywhere(&self) -> bool {
-        self.anywhere
+    /// Whether [`MddEncoding::reach`] matters.
+    pub(crate) const fn rests_on(&self) -> bool {
+        self.rests_on
     }
 
     /// The literal "arrived before `time`, at `v`" where it stays, if it is written.

@@ -6,6 +6,7 @@ pub(crate) mod battery;
 pub(crate) mod collisions;
 pub(crate) mod count;
 pub(crate) mod limit;
+pub(crate) mod rules;
 #[cfg(test)]
 mod tests;
 pub(crate) mod totalizer;

@@ -7,7 +7,6 @@
 //! since explanations ask about edited ones, too, with other agents and other
 //! obstacles.
 
-mod precedence;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -22,7 +21,7 @@ use crate::{
     problem::{NeverAlone, Problem, ProblemError},
 };
 
-pub(crate) use precedence::Precedence;
+pub(crate) use giveway_planners::rules::Precedence;
 
 /// The proof that no plan, of whatever makespan, meets a condition: an agent would have
 /// to be where nobody can be, or something would have to cost less than nothing.

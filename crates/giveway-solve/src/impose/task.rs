@@ -3,13 +3,14 @@
 use giveway_model::{
     Cell, Condition, Instance,
     condition::{Act as Kind, Times},
+    sorting::sort,
 };
 
 use super::{Precedence, Unmeetable, number};
 use crate::{
     encode::collisions::AgentId,
     problem::Problem,
-    single::{Act, Forbidden, LongWait, Required, Task},
+    single::{Act, Area, Counter, Forbidden, LongWait, Required, Task},
     terrain::{Terrain, Vertex},
 };
 
@@ -78,10 +79,11 @@ pub(super) fn require(
                 return Ok(other.map(|other| Precedence {
                     first: (agent, here),
                     second: (other, there),
+                    is_required: true,
                 }));
             }
             task.conditions.forbidden.push(Forbidden {
-                act: Act::Stand(there),
+                act: Act::Stand(Area::One(there)),
                 times: Times::default(),
                 unless,
             });
@@ -115,7 +117,7 @@ fn forbid(task: &mut Task, terrain: &Terrain, act: Kind, times: Times) {
         None => Some(None),
     };
     let act = match act {
-        Kind::Visit(cell) => terrain.vertex(cell).map(Act::Stand),
+        Kind::Visit(cell) => terrain.vertex(cell).map(|v| Act::Stand(Area::One(v))),
         Kind::Move(from, to) => arc(terrain, from, to).map(|arc| Act::Cross(vec![arc])),
         Kind::SlowMove(edge) => {
             let is_asked = |id: u32| {
@@ -125,7 +127,9 @@ fn forbid(task: &mut Task, terrain: &Terrain, act: Kind, times: Times) {
             };
             let arcs = (0..terrain.size() as Vertex).flat_map(|u| terrain.arcs(u));
             let slow = arcs.filter(|arc| arc.slow && is_asked(arc.id));
-            Some(Act::Cross(slow.map(|arc| arc.id).collect()))
+            let mut arcs: Vec<u32> = slow.map(|arc| arc.id).collect();
+            sort(&mut arcs);
+            Some(Act::Cross(arcs))
         }
         Kind::Charge(cell) => vertex(cell).map(Act::Charge),
         Kind::Wait { cell, steps } => {
@@ -136,12 +140,12 @@ fn forbid(task: &mut Task, terrain: &Terrain, act: Kind, times: Times) {
                 let steps = steps.max(1);
                 let goes_on = times.first() == 0 && at.is_none_or(|v| v == task.start);
                 let begun = if goes_on { task.waits_begun } else { 0 };
-                task.conditions.waits.push(LongWait {
-                    at,
+                task.conditions.counters.push(Counter::LongWait(LongWait {
+                    at: at.map(Area::One),
                     times: Times { to, ..times },
                     steps,
                     begun: begun.min(steps - 1),
-                });
+                }));
             }
             None
         }

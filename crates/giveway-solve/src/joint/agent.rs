@@ -6,7 +6,7 @@ use super::{
     tally::Tally,
 };
 use crate::{
-    single::{Place, State},
+    single::{Mask, Place, State},
     terrain::Vertex,
 };
 
@@ -16,7 +16,7 @@ pub(super) enum Single {
     /// On its way.
     Going {
         place: Place,
-        mask: u32,
+        mask: Mask,
         battery: u32,
         /// The time, as far as conditions on the agent look at it.
         clock: u32,
@@ -113,7 +113,6 @@ impl Joint<'_> {
                 let event = Event {
                     from: place,
                     to: step.to.place,
-                    clock,
                     charged,
                 };
                 let Some((count, mask)) = follow(task, count, [mask, step.to.mask], event) else {

@@ -2,14 +2,13 @@
 
 use giveway_model::Cost;
 
-use crate::single::{Part, Place, Required, Task};
+use crate::single::{Mask, Part, Place, Required, Task};
 
 /// The events of one agent's step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Event {
     pub(super) from: Place,
     pub(super) to: Place,
-    pub(super) clock: u32,
     pub(super) charged: bool,
 }
 
@@ -67,13 +66,13 @@ fn sizes(task: &Task) -> impl Iterator<Item = u32> + '_ {
 /// The size of the digit of a part; `None` where nothing is counted for it.
 fn size(part: Part<'_>) -> Option<u32> {
     match part {
-        Part::LongWait(wait) => Some(wait.steps),
         Part::Required(_, Required::Charge { .. }) => Some(2),
         Part::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, most) => {
             Some(most.saturating_add(1))
         }
         // The place, the mask and the clock tell.
         Part::Forbidden(_)
+        | Part::Counter(_)
         | Part::Required(_, Required::Cross { .. })
         | Part::Limit(Cost::Makespan, _) => None,
     }
@@ -84,33 +83,18 @@ pub(super) fn can_count(task: &Task) -> bool {
     sizes(task).try_fold(1, u32::checked_mul).is_some()
 }
 
-/// The counters at time 0: waits that began before.
-pub(super) fn first_count(task: &Task) -> u32 {
-    let mut counts = Counts::of(0);
-    for part in task.conditions.parts() {
-        if let Some(size) = size(part) {
-            counts.update(size, |_| match part {
-                Part::LongWait(wait) => wait.begun,
-                Part::Required(..) | Part::Limit(..) | Part::Forbidden(_) => 0,
-            });
-        }
-    }
-    counts.after
-}
-
 /// The counters after a step, and the mask; `None` where a condition is broken.
 pub(super) fn follow(
     task: &Task,
     count: u32,
-    [before, mut mask]: [u32; 2],
+    [before, mut mask]: [Mask; 2],
     event: Event,
-) -> Option<(u32, u32)> {
+) -> Option<(u32, Mask)> {
     let mut counts = Counts::of(count);
     let mut allowed = true;
     for part in task.conditions.parts() {
         let Some(size) = size(part) else { continue };
         allowed &= counts.update(size, |digit| match part {
-            Part::LongWait(wait) => wait.count(digit, event.from, event.to, event.clock),
             Part::Required(number, Required::Charge { at, .. }) => {
                 let charged = digit.max(u32::from(event.charged));
                 match (event.from == Place::At(*at), event.waits()) {
@@ -127,7 +111,9 @@ pub(super) fn follow(
                 }
             }
             Part::Limit(cost, _) => digit + event.costs(cost),
-            Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) => digit,
+            Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) | Part::Counter(_) => {
+                digit
+            }
         });
     }
     allowed.then_some((counts.after, mask))

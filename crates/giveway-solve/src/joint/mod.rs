@@ -6,6 +6,7 @@
 
 mod agent;
 mod event;
+mod memory;
 mod search;
 mod states;
 mod tally;
@@ -50,6 +51,7 @@ fn product_of_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -
         let cells = problem.terrain.size();
         cells
             .saturating_mul(task.masks())
+            .saturating_mul(task.conditions.counts())
             .saturating_mul(task.levels())
     });
     states.fold(1, usize::saturating_mul)

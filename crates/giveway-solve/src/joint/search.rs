@@ -4,8 +4,8 @@
 //! still pay alone, from exact tables, as in Standley (2010); it never overestimates a cost, so
 //! it does not overestimate the costs in their order, either.
 //!
-//! A joint state is a row of numbers, one for each agent's own state, and what is used of costs
-//! that are limited.
+//! A joint state is a row of numbers, one for each agent's own state, what rules between agents
+//! have to remember ([`memory`](super::memory)), and what is used of costs that are limited.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,13 +16,12 @@ use giveway_model::Cost;
 use super::{
     Ended, Joint,
     agent::Single,
-    event::first_count,
+    memory::Memory,
     states::{AgentStep, StateId, States, Table, to_go},
     tally::Tally,
 };
 use crate::{
     budget::{Budget, MemoryUse, Stop},
-    impose::Precedence,
     single::Task,
 };
 
@@ -34,7 +33,7 @@ const BYTES_OF_ENTRY: usize = 48;
 
 /// A joint state that was reached.
 struct Node {
-    /// Each agent's state, then what is used of limited costs.
+    /// Each agent's state, then what is remembered, then what is used of limited costs.
     key: Rc<[u32]>,
     /// The least paid for it so far.
     paid: Tally,
@@ -48,6 +47,9 @@ type Open = Reverse<(Tally, u32, NodeId, Tally)>;
 /// A search that is under way.
 struct Search<'a> {
     joint: &'a Joint<'a>,
+    memory: Memory,
+    /// Whether rules between agents have something to look at.
+    remembers: bool,
     states: Vec<States<'a>>,
     nodes: Vec<Node>,
     numbers: Table<Rc<[u32]>>,
@@ -67,9 +69,14 @@ impl Joint<'_> {
         steps: &mut usize,
         budget: &Budget,
     ) -> Result<Ended, Stop> {
+        let Some(memory) = Memory::new(self) else {
+            return Ok(Ended::TooMany);
+        };
         let states = (0..self.agents.len()).map(|i| States::new(self, i, budget));
         let mut search = Search {
             joint: self,
+            memory,
+            remembers: self.problem.has_rules_between(),
             states: states.collect::<Result<_, Stop>>()?,
             nodes: Vec::new(),
             numbers: Table::default(),
@@ -78,12 +85,16 @@ impl Joint<'_> {
             held: MemoryUse::default(),
         };
         for (start, paid) in self.starts() {
+            if !search.memory.may_begin(self, &start) {
+                continue;
+            }
+            let remembered = search.memory.first(self, &start);
             let numbers = search.states.iter_mut().zip(start);
             let numbers: Option<Vec<StateId>> = numbers
                 .map(|(states, start)| states.number(start))
                 .collect();
             if let Some(numbers) = numbers {
-                search.reach(&numbers, paid, None);
+                search.reach((&numbers, &remembered), paid, None);
             }
         }
         while let Some(Reverse((_, _, id, paid))) = search.open.pop() {
@@ -122,7 +133,7 @@ impl Joint<'_> {
                 mask: state.mask,
                 battery: state.battery,
                 clock: 0,
-                count: first_count(task),
+                count: 0,
             };
             let choices = self.or_arrived(i, first);
             let mut longer = Vec::new();
@@ -136,7 +147,6 @@ impl Joint<'_> {
             }
             joint = longer;
         }
-        joint.retain(|(state, _)| self.is_in_order(None, state));
         joint
     }
 
@@ -149,23 +159,6 @@ impl Joint<'_> {
             Cost::SumOfCosts => task.cost_if_it_leaves_goal,
             Cost::Waits => task.waits_if_it_leaves_goal,
             Cost::Makespan | Cost::Charges | Cost::Moves => 0,
-        })
-    }
-
-    /// Whether the first agents of precedences have been there before, where the second
-    /// are.
-    fn is_in_order(&self, before: Option<&[Single]>, state: &[Single]) -> bool {
-        let number = |agent| self.agents.iter().position(|&other| other == agent);
-        let mut precedences = self.problem.precedences.iter();
-        precedences.all(|&Precedence { first, second }| {
-            let (Some(one), Some(other)) = (number(first.0), number(second.0)) else {
-                return true;
-            };
-            Self::stands(state[other]) != Some(second.1)
-                || before.is_some_and(|before| match before[one] {
-                    Single::Going { mask, .. } => mask & self.task(one).bit(first.1) != 0,
-                    Single::Leaving(_) | Single::Arrived(_) => true,
-                })
         })
     }
 
@@ -207,9 +200,21 @@ impl Search<'_> {
         numbers.map(|(states, &id)| states.state(id)).collect()
     }
 
+    /// What is remembered in a joint state.
+    fn remembered(&self, id: NodeId) -> &[u32] {
+        let limited = self.joint.counted.limits();
+        let key = &self.nodes[id as usize].key;
+        &key[self.states.len()..key.len() - limited]
+    }
+
     fn has_arrived(&self, id: NodeId) -> bool {
         let mut singles = self.states.iter().zip(self.numbers(id));
-        singles.all(|(states, &id)| states.state(id).has_arrived())
+        let have = singles.all(|(states, &id)| states.state(id).has_arrived());
+        let may_end = || {
+            let singles = self.singles(self.numbers(id));
+            self.memory.may_end(self.joint, self.remembered(id), &singles)
+        };
+        have && (!self.remembers || may_end())
     }
 
     /// Reaches all joint states that follow one; the number of steps that lead there.
@@ -218,7 +223,8 @@ impl Search<'_> {
         let own = self.states.iter_mut().zip(&numbers);
         let steps: Vec<Rc<[AgentStep]>> = own.map(|(states, &id)| states.steps(id)).collect();
         let joint = self.joint;
-        let before = (!joint.problem.precedences.is_empty()).then(|| self.singles(&numbers));
+        let before = self.remembers.then(|| self.singles(&numbers));
+        let remembered = self.remembered(id).to_vec();
         // An agent has not arrived yet.
         let time = joint
             .counted
@@ -228,21 +234,30 @@ impl Search<'_> {
             looked_at += 1;
             next.clear();
             next.extend(chosen.iter().map(|step| step.to));
-            let is_in_order = before
-                .as_ref()
-                .is_none_or(|before| joint.is_in_order(Some(before), &self.singles(&next)));
-            if is_in_order {
-                let paid = chosen
-                    .iter()
-                    .fold(paid.and(time), |paid, step| paid.and(step.cost));
-                self.reach(&next, paid, Some(id));
+            let mut next_remembered = Vec::new();
+            if let Some(before) = &before {
+                let after = self.singles(&next);
+                let both = (before.as_slice(), after.as_slice());
+                if !self.memory.may_follow(joint, &remembered, both) {
+                    return;
+                }
+                next_remembered = self.memory.next(joint, &remembered, both);
             }
+            let paid = chosen
+                .iter()
+                .fold(paid.and(time), |paid, step| paid.and(step.cost));
+            self.reach((&next, &next_remembered), paid, Some(id));
         });
         looked_at
     }
 
     /// Notes that a joint state is reached, where it was not for as little.
-    fn reach(&mut self, numbers: &[StateId], paid: Tally, before: Option<NodeId>) {
+    fn reach(
+        &mut self,
+        (numbers, remembered): (&[StateId], &[u32]),
+        paid: Tally,
+        before: Option<NodeId>,
+    ) {
         let counted = &self.joint.counted;
         let least = paid.and(to_go(counted, &self.states, numbers));
         if !counted.keeps_limits(least) {
@@ -250,6 +265,7 @@ impl Search<'_> {
         }
         let key: Rc<[u32]> = numbers
             .iter()
+            .chain(remembered)
             .chain(counted.limited(&paid))
             .copied()
             .collect();

@@ -66,6 +66,11 @@ impl TalliedCosts {
         &tally.0[self.objective..self.costs.len()]
     }
 
+    /// The number of costs that are limited.
+    pub(super) const fn limits(&self) -> usize {
+        self.limits.len()
+    }
+
     /// Whether no more is paid of a cost than its limit allows.
     pub(super) fn keeps_limits(&self, tally: Tally) -> bool {
         let mut limited = self.limited(&tally).iter().zip(&self.limits);

@@ -24,7 +24,7 @@ use crate::{
     encode::collisions::AgentId,
     problem::Problem,
     sat::Lit,
-    single::Place,
+    single::{Mask, Place},
     walk::Walk,
 };
 use agents::AsBefore;
@@ -110,7 +110,7 @@ pub(crate) fn closest(
 
 /// The given walk of an inside agent, as nodes of its MDD.
 struct Trace {
-    nodes: Vec<(Place, u32)>,
+    nodes: Vec<(Place, Mask)>,
     /// It does as before.
     same: Lit,
 }

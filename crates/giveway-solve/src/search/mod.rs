@@ -41,6 +41,7 @@ pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
 pub(crate) use closest::{Extent, GivenWalk, closest};
 pub(crate) use for_ever::{ForEver, NoPlan, Proved, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;
+pub(crate) use incumbent::free_of_collisions;
 pub(crate) use lexicographic::{find, solve};
 pub(crate) use minima::{LoneBound, Minima};
 pub(crate) use team::Team;

@@ -22,6 +22,7 @@ use crate::{
     encode::{
         agent::{Added, MddEncoding},
         collisions::{AgentId, Collisions, Meeting},
+        rules::RuleClauses,
     },
     local::{OtherAgents, Query, Reservations, plan_one},
     problem::Problem,
@@ -36,11 +37,12 @@ pub(crate) struct Team<'p, 'h> {
     pub(crate) budget: Rc<Budget<'h>>,
     sat: Sat<'h>,
     collisions: Collisions,
+    rules: RuleClauses,
     inside: Vec<Option<MddEncoding>>,
     /// A walk of every agent: from the last model, or fixed outside.
     pub(crate) walks: Vec<Walk>,
-    /// The last time at which an agent may be at a vertex: agents that rest anywhere
-    /// rest up to it.
+    /// The last time at which an agent may be at a vertex, or a rule begins to hold: agents
+    /// whose rests are written on rest up to it.
     reach: u32,
     /// Under `stay`: whose goal a vertex is.
     owners: BTreeMap<Vertex, AgentId>,
@@ -61,9 +63,10 @@ impl<'p, 'h> Team<'p, 'h> {
             sat: Sat::new(Rc::clone(&budget)),
             budget,
             collisions: Collisions::new(problem.relaxed.ignored.clone()),
+            rules: RuleClauses::default(),
             inside: problem.tasks.iter().map(|_| None).collect(),
             walks,
-            reach: 0,
+            reach: problem.between.last_begin(),
             owners: map(goals.filter_map(|(agent, task)| Some((task.goal?, agent)))),
             on_goals: BTreeMap::new(),
             not_yet: BTreeMap::new(),
@@ -153,7 +156,7 @@ impl<'p, 'h> Team<'p, 'h> {
         let old = code.mdd().size();
         let reach = self.reach;
         let added = code.grow(deadline, reach, problem, &self.budget, &mut self.sat)?;
-        self.absorb(agent, &added);
+        self.absorb(agent, &added)?;
         self.precede(agent, old, &added);
         let Some(code) = &self.inside[agent] else {
             return Ok(());
@@ -168,8 +171,8 @@ impl<'p, 'h> Team<'p, 'h> {
     }
 
     /// Puts an agent that is not inside in everyone's way.
-    pub(crate) fn place(&mut self, agent: AgentId, added: &Added) {
-        self.absorb(agent, added);
+    pub(crate) fn place(&mut self, agent: AgentId, added: &Added) -> Result<(), Stop> {
+        self.absorb(agent, added)
     }
 
     /// The clauses of an inside agent.

@@ -12,6 +12,7 @@ fn agent(name: &str, start: [u32; 2], goal: [u32; 2], battery: Option<Battery>) 
         goal: Some(Cell::new(goal[0], goal[1])),
         waypoints: Vec::new(),
         battery,
+        heading: None,
     }
 }
 

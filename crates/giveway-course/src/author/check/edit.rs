@@ -114,6 +114,7 @@ pub(super) fn applied(scene: &Scene, edit: &Edit) -> Option<Scene> {
                 goal: Some(goal),
                 waypoints: Vec::new(),
                 battery: None,
+                heading: None,
             });
         }
     }

@@ -8,7 +8,9 @@ use crate::{
 };
 
 use super::MAX_SIDE;
+use super::message;
 use super::text::{escape, letters, numbers, runs, unescape};
+use crate::constraint::Heading;
 
 /// The letters of the map: those of files have a meaning in a link.
 const GROUNDS: [(char, Ground); 5] = [
@@ -46,6 +48,10 @@ pub fn write(scene: &Scene) -> String {
     if !scene.assumptions.is_empty() {
         let assumptions: Vec<String> = scene.assumptions.iter().map(write_assumption).collect();
         text = text + "&assumes=" + &assumptions.join(";");
+    }
+    if !(scene.zones.is_empty() && scene.constraints.is_empty()) {
+        let own = (&scene.zones, &scene.constraints);
+        text = text + "&constraints=" + &message::write(&own);
     }
     text
 }
@@ -113,6 +119,9 @@ pub fn write_agent(agent: &Agent) -> String {
     if let Some(battery) = agent.battery {
         let _ = write!(text, "!{}.{}", battery.capacity, battery.initial);
     }
+    if let Some(heading) = agent.heading {
+        let _ = write!(text, "*{}", heading as u8);
+    }
     text
 }
 
@@ -155,6 +164,7 @@ pub fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
             let assumptions = value.split(';').map(read_assumption);
             scene.assumptions = assumptions.collect::<Option<_>>()?;
         }
+        "constraints" => (scene.zones, scene.constraints) = message::read(value)?,
         "agents" if value.is_empty() => {}
         "agents" => {
             let agents: Option<Vec<Agent>> = value.split(';').map(read_agent).collect();
@@ -176,6 +186,13 @@ fn read_cells(text: &str) -> Option<Vec<Cell>> {
 
 /// The agent that a text tells; `None` where it is none.
 pub fn read_agent(text: &str) -> Option<Agent> {
+    let (text, heading) = match text.split_once('*') {
+        None => (text, None),
+        Some((text, number)) => {
+            let number: usize = number.parse().ok()?;
+            (text, Some(*Heading::ALL.get(number)?))
+        }
+    };
     let (task, battery) = match text.split_once('!') {
         None => (text, None),
         Some((task, battery)) => {
@@ -209,5 +226,6 @@ pub fn read_agent(text: &str) -> Option<Agent> {
         goal,
         waypoints,
         battery,
+        heading,
     })
 }

@@ -9,7 +9,15 @@ use giveway_model::tr;
 use crate::link::From;
 
 /// The parts that make a scene.
-pub(super) const SCENE: [&str; 6] = ["map", "name", "rules", "costs", "agents", "assumes"];
+pub(super) const SCENE: [&str; 7] = [
+    "map",
+    "name",
+    "rules",
+    "costs",
+    "agents",
+    "assumes",
+    "constraints",
+];
 
 /// The parts that make an answer.
 pub(super) const ANSWER: [&str; 8] = [

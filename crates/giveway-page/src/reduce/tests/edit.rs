@@ -123,6 +123,7 @@ fn a_crowd_opens_without_the_plan_table() {
         goal: Some(Cell::new(x, 1)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     };
     let crowd = |agents| {
         Action::File(FileAction::Open(Box::new(Scene {

@@ -20,6 +20,7 @@ fn begun() -> State {
             goal: Some(Cell::new(5, 0)),
             waypoints: Vec::new(),
             battery: None,
+            heading: None,
         }],
         ..Scene::default()
     };

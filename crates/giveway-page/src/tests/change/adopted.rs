@@ -58,6 +58,7 @@ fn the_world_changes_again_later_and_not_before() {
         goal: Some(Cell::new(0, 0)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     });
     let state = answered(&after(
         &later,

@@ -28,6 +28,7 @@ fn page(map: &[&str], agents: &[[(u32, u32); 2]]) -> State {
         goal: Some(cell(goal)),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     });
     let scene = Scene {
         name: "three ways".to_owned(),

@@ -29,6 +29,7 @@ fn agent(name: &str, start: (u32, u32), goal: (u32, u32)) -> Agent {
         goal: Some(goal.into()),
         waypoints: Vec::new(),
         battery: None,
+        heading: None,
     }
 }
 

@@ -27,7 +27,7 @@ fn check(instance: &Instance, metric: Metric) -> usize {
         for state in lone.states() {
             let Spot::At(cell) = state.spot else { continue };
             let level = state.level.map_or(0, |level| level - floor);
-            let found = table.from(terrain.vertex(cell).unwrap(), state.visited, level);
+            let found = table.from(terrain.vertex(cell).unwrap(), state.visited.into(), level);
             let expect = expect.get(&state).copied();
             ends += usize::from(expect.is_some());
             let rows = instance.grid().rows();

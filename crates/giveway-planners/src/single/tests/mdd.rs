@@ -8,12 +8,12 @@ use super::PICTURES;
 use crate::{
     budget::Unlimited,
     problem::Problem,
-    single::{Mdd, Metric, Place},
+    single::{Mask, Mdd, Metric, Place},
     tests::{Lone, State, instance, random},
 };
 
 /// A place, and the waypoints visited.
-type Key = (Place, u32);
+type Key = (Place, Mask);
 
 /// What is said of a node: its level, and the levels of its steps.
 type Node = (u32, BTreeMap<Key, u32>);
@@ -26,7 +26,7 @@ type Nodes = BTreeMap<(u32, Key), Node>;
 fn expected(instance: &Instance, problem: &Problem, deadline: u32) -> Nodes {
     let lone = Lone::new(instance, 0);
     let cost_to_go = lone.cost_to_go(Metric::Time);
-    let key = |state: &State| (state.spot.place(&problem.terrain), state.visited);
+    let key = |state: &State| (state.spot.place(&problem.terrain), state.visited.into());
     let mut nodes = Nodes::new();
     let mut reached: BTreeSet<State> = lone.start().into_iter().collect();
     for time in 0..=deadline {

@@ -27,9 +27,9 @@ impl MddEncoding {
                 self.layers.resize(layer + 1, Vec::new());
             }
             self.layers[layer].push(self.nodes[id as usize]);
-            // An agent that vanishes on arrival is nowhere from then on; one that rests anywhere
-            // would need all its rests here.
-            if self.stays && !self.anywhere || time <= self.optimum {
+            // An agent that vanishes on arrival is nowhere from then on; one whose rests are
+            // written on would need all of them here.
+            if self.stays && !self.rests_on || time <= self.optimum {
                 grown.insert(layer);
             }
         }
@@ -42,7 +42,7 @@ impl MddEncoding {
                 continue;
             }
             let mut clause: Vec<Lit> = nodes.clone();
-            if !self.anywhere {
+            if !self.rests_on {
                 clause.extend(self.resting(layer as u32).map(|(_, rest)| rest));
             }
             clause.push(!by);

@@ -36,7 +36,9 @@ impl MddEncoding {
             Place::At(v) => {
                 // Where one vertex and time can have several nodes, a variable
                 // of its own stands for "here now".
-                let several = task.masks() > 1 || (self.stays && task.may_rest_at(v));
+                let several = task.masks() > 1
+                    || !task.conditions.counters.is_empty()
+                    || (self.stays && task.may_rest_at(v));
                 self.stand(time, v, lit, several, added, out);
                 if let Some(battery) = &mut self.battery {
                     if task.may_charge(terrain, v, Some(time)) {
@@ -53,6 +55,7 @@ impl MddEncoding {
                 if let Some(battery) = &mut self.battery {
                     battery.elsewhere(time, lit);
                 }
+                added.transits.push((time, arc, lit));
                 let (from, _) = terrain.ends(arc);
                 if let Some(&arc) = terrain.arcs(from).iter().find(|a| a.id == arc) {
                     // Of one that is there at time 0 the first half is past.
@@ -163,7 +166,7 @@ impl MddEncoding {
             if !self.stays {
                 return; // it may end here, whatever the deadline
             }
-            if !self.anywhere && time >= deadline {
+            if !self.rests_on && time >= deadline {
                 self.due.entry(time + 1).or_default().push(id);
                 return;
             }

@@ -84,6 +84,9 @@ fn of_rule(agent: &str, violation: &Violation) -> String {
         }
         Rule::Goal => tr!("a robot would" => "not end at its goal").to_owned(),
         Rule::Charge => tr!("a robot would" => "charge at time {time}, where it cannot", time),
+        Rule::Constraint => {
+            tr!("a robot would" => "break a rule of the scene at time {time}", time)
+        }
         Rule::Shape | Rule::Start | Rule::Move => {
             tr!("a robot would" => "break a rule at time {time}", time)
         }

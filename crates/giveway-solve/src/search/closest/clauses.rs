@@ -97,7 +97,7 @@ impl Near<'_, '_> {
             }
         }
         written.entries = code.mdd().size();
-        if code.rests_anywhere() {
+        if code.rests_on() {
             for (v, from, rests) in code.rests() {
                 let done = written.rests.entry(v).or_default();
                 for (time, &rest) in (from..).zip(rests).skip(*done) {

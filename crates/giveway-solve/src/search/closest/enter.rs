@@ -11,7 +11,7 @@ use crate::{
         aim::Bounded,
         oll::{Oll, Soft},
     },
-    single::Place,
+    single::{Mask, Place},
     walk::{arrival, costs_of, crossed},
 };
 
@@ -41,7 +41,7 @@ impl Near<'_, '_> {
                 entering.push(agent);
             } else {
                 let lit = self.search.team.clauses().fresh();
-                self.fix(agent, lit);
+                self.fix(agent, lit)?;
                 oll.assume(self, Soft::Level(AsBefore::Outside(agent, lit)))?;
             }
         }
@@ -55,7 +55,7 @@ impl Near<'_, '_> {
 
     /// The waypoints visited at each time of the given walk; `None` where the
     /// agent may not do so.
-    fn masks(&self, agent: AgentId) -> Option<Vec<u32>> {
+    fn masks(&self, agent: AgentId) -> Option<Vec<Mask>> {
         let task = &self.problem.tasks[agent];
         let terrain = &self.problem.terrain;
         let GivenWalk { walk, charges } = &self.before[agent];
@@ -78,16 +78,14 @@ impl Near<'_, '_> {
         if !(allowed && task.conditions.charges().all(|(_, v)| charged(v))) {
             return None;
         }
-        let mut mask = task.first_mask();
+        let mut mask = task.first()?.mask;
         let mut masks = vec![mask];
-        let first = task.may_stand(task.start, mask, Some(0));
         for (time, pair) in walk.windows(2).enumerate() {
             let now = time as u32;
             let arc = crossed(terrain, walk, time);
+            mask = task.counted(terrain, mask, [pair[0], pair[1]], now)?;
             match (pair[0], pair[1]) {
-                (Place::At(u), Place::At(v)) if u == v => {
-                    task.may_wait(u, now).then_some(())?;
-                }
+                (Place::At(u), Place::At(v)) if u == v => {}
                 (Place::At(_), _) => {
                     let arc = arc?;
                     task.may_cross(arc.id, Some(now)).then_some(())?;
@@ -103,17 +101,21 @@ impl Near<'_, '_> {
             }
             masks.push(mask);
         }
-        (first && mask == task.all()).then_some(masks)
+        let ends = matches!(walk.last(), Some(&Place::At(v)) if task.may_end(v, mask, arrival));
+        ends.then_some(masks)
     }
 
     /// An agent that is where it was before, as long as a literal holds.
-    fn fix(&mut self, agent: AgentId, lit: Lit) {
+    fn fix(&mut self, agent: AgentId, lit: Lit) -> Result<(), Stop> {
         let walk = &self.before[agent].walk;
         let mut added = Added::default();
         let mut latest = arrival(walk);
         for (time, place) in walk.iter().enumerate() {
             if let Place::At(v) = *place {
                 added.positions.push((time as u32, v, lit));
+            }
+            if let Place::Along(arc) = *place {
+                added.transits.push((time as u32, arc, lit));
             }
             if let Some(arc) = crossed(&self.problem.terrain, walk, time) {
                 added.crossings.push((time as u32, arc, [lit, lit]));
@@ -126,7 +128,7 @@ impl Near<'_, '_> {
                 added.positions.push((latest, end, lit));
             }
         }
-        self.search.team.place(agent, &added);
+        self.search.team.place(agent, &added)
     }
 
     /// Takes an agent inside; the literal "does as before", where it may.

@@ -44,7 +44,7 @@ impl Near<'_, '_> {
         }
         self.search
             .team
-            .reach(latest.iter().copied().max().unwrap_or(0));
+            .reach(latest.iter().copied().max().unwrap_or(0))?;
         // The sum was cut at the best so far, which is never exceeded again.
         while let Some(&more) = best.checked_sub(1).and_then(|k| sum.get(k)) {
             self.search.team.harden(!more);

@@ -2,42 +2,66 @@
 
 use super::Team;
 use crate::{
+    budget::Stop,
     encode::{agent::Added, collisions::AgentId},
     impose::Precedence,
     sat::{Clauses, Lit},
-    single::NodeId,
+    single::{NodeId, Place},
 };
 
 impl Team<'_, '_> {
     /// Excludes the new nodes of an agent from those of all others. Where the nodes reach later times, agents
     /// that rest anywhere rest there, too.
-    pub(super) fn absorb(&mut self, agent: AgentId, added: &Added) {
-        self.exclude(agent, added);
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    pub(super) fn absorb(&mut self, agent: AgentId, added: &Added) -> Result<(), Stop> {
+        self.exclude(agent, added)?;
         let latest = added.positions.iter().map(|&(time, ..)| time).max();
-        self.reach(latest.unwrap_or(0));
+        let gap = self.problem.between.gap();
+        self.reach(latest.map_or(0, |latest| latest.saturating_add(gap)))
     }
 
-    /// Lets agents that rest anywhere rest up to a time.
-    pub(crate) fn reach(&mut self, until: u32) {
+    /// Lets agents whose rests are written on rest up to a time.
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    pub(crate) fn reach(&mut self, until: u32) -> Result<(), Stop> {
         if until <= self.reach {
-            return;
+            return Ok(());
         }
         self.reach = until;
         for agent in 0..self.inside.len() {
             let Some(code) = &mut self.inside[agent] else {
                 continue;
             };
-            if code.rests_anywhere() {
+            if code.rests_on() {
                 let old = code.mdd().size();
                 let task = &self.problem.tasks[agent];
                 let added = code.reach(until, task, &mut self.sat);
-                self.exclude(agent, &added);
+                self.exclude(agent, &added)?;
                 self.precede(agent, old, &added);
             }
         }
+        Ok(())
     }
 
-    fn exclude(&mut self, agent: AgentId, added: &Added) {
+    /// Excludes new positions that break a rule between agents together with others.
+    fn keep_rules(&mut self, agent: AgentId, added: &Added) -> Result<(), Stop> {
+        let problem = self.problem;
+        let at = added.positions.iter();
+        let at = at.map(|&(time, v, lit)| (time, Place::At(v), lit));
+        let along = added.transits.iter();
+        let along = along.map(|&(time, arc, lit)| (time, Place::Along(arc), lit));
+        for (time, place, lit) in at.chain(along) {
+            let world = (&problem.between, &problem.terrain);
+            let (here, whose) = ((time, place), (agent, lit));
+            self.rules.occupy(world, here, whose, &mut self.sat)?;
+        }
+        Ok(())
+    }
+
+    fn exclude(&mut self, agent: AgentId, added: &Added) -> Result<(), Stop> {
         for &(time, v, lit) in &added.positions {
             self.collisions.occupy(time, v, agent, lit, &mut self.sat);
             if !self.problem.stays {
@@ -56,13 +80,17 @@ impl Team<'_, '_> {
             self.collisions
                 .cross(time, arc, agent, premise, &mut self.sat);
         }
+        if !self.problem.between.is_empty() {
+            self.keep_rules(agent, added)?;
+        }
+        Ok(())
     }
 
     /// The second agent of a precedence is not at its vertex before the first was at its
     /// own.
     pub(super) fn precede(&mut self, agent: AgentId, old: NodeId, added: &Added) {
         let problem = self.problem;
-        for (number, &Precedence { first, second }) in problem.precedences.iter().enumerate() {
+        for (number, &Precedence { first, second, .. }) in problem.precedences.iter().enumerate() {
             if agent == second.0 {
                 // Where they cannot be there at once, "by then" is "before".
                 let at_once = first.1 != second.1 || !problem.collide(first.0, second.0);
@@ -80,13 +108,13 @@ impl Team<'_, '_> {
                 }
             }
             if agent == first.0 {
-                let visited = problem.tasks[agent].bit(first.1);
+                let task = &problem.tasks[agent];
                 let Some(code) = self.inside[agent].as_ref() else {
                     continue;
                 };
                 let mdd = code.mdd();
                 let nodes: Vec<(u32, Lit)> = (old..mdd.size())
-                    .filter(|&id| mdd.node(id).mask & visited == 0)
+                    .filter(|&id| !task.has_been(mdd.node(id).mask, first.1))
                     .map(|id| (mdd.node(id).time, code.node(id)))
                     .collect();
                 for (time, node) in nodes {

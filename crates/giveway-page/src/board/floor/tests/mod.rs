@@ -76,6 +76,7 @@ fn a_bolt_makes_way_for_a_star() {
             goal: Some(Cell::new(0, 0)),
             waypoints: vec![Cell::new(1, 0)],
             battery: None,
+            heading: None,
         }],
         ..plain.scene().clone()
     };

@@ -1,0 +1,130 @@
+//! Rules between agents in clauses: zones with a limit, gaps, distances.
+//!
+//! Like collisions, they are written for the agents inside the SAT solver only, as their
+//! MDDs grow. A zone counts its agents at each time by a totalizer with no more outputs
+//! than its limit needs; gaps and distances exclude pairs of positions.
+
+use std::collections::BTreeMap;
+
+use giveway_planners::rules::{Between, SharedKind, near, touched};
+
+use super::{collisions::AgentId, limit::SumLimit};
+use crate::{
+    budget::Stop,
+    sat::{Clauses, Lit},
+    single::Place,
+    terrain::{Terrain, Vertex},
+};
+
+/// The agents in a zone at a time.
+struct Count {
+    inside: BTreeMap<AgentId, Lit>,
+    sum: SumLimit,
+}
+
+/// Positions of agents, each with its literal.
+type Positions = Vec<(AgentId, Lit)>;
+
+/// Clauses of rules between the agents inside the solver.
+#[derive(Default)]
+pub(crate) struct RuleClauses {
+    /// By rule and time.
+    zones: BTreeMap<(usize, u32), Count>,
+    /// At a vertex, by time.
+    visits: BTreeMap<Vertex, BTreeMap<u32, Positions>>,
+    /// At a vertex or in transit to or from it, by time.
+    touching: BTreeMap<(u32, Vertex), Positions>,
+}
+
+impl RuleClauses {
+    /// An agent may be at a place at a time, namely when the literal is true.
+    ///
+    /// # Errors
+    /// When the budget is spent.
+    pub(crate) fn occupy(
+        &mut self,
+        (between, terrain): (&Between, &Terrain),
+        (time, place): (u32, Place),
+        (agent, at): (AgentId, Lit),
+        out: &mut impl Clauses,
+    ) -> Result<(), Stop> {
+        let mut has_gap = false;
+        let mut has_distance = false;
+        for (number, rule) in between.rules.iter().enumerate() {
+            if !rule.binds(agent) {
+                continue;
+            }
+            match &rule.kind {
+                SharedKind::Capacity { area, most, times } => {
+                    if times.contains(time) && touched(terrain, place).any(|v| area.has(v)) {
+                        self.count((number, time), *most, (agent, at), out)?;
+                    }
+                }
+                SharedKind::Gap { steps } => {
+                    has_gap = true;
+                    if let Place::At(v) = place {
+                        let times = time.saturating_sub(*steps)..=time.saturating_add(*steps);
+                        let visits = self.visits.get(&v).into_iter();
+                        let visits = visits.flat_map(|visits| visits.range(times.clone()));
+                        for &(other, there) in visits.flat_map(|(_, positions)| positions) {
+                            if other != agent && rule.binds(other) {
+                                out.clause(&[!at, !there]);
+                            }
+                        }
+                    }
+                }
+                SharedKind::Apart { distance, times } => {
+                    has_distance = true;
+                    if times.contains(time) {
+                        for v in touched(terrain, place) {
+                            for u in near(terrain, v, *distance) {
+                                let there = self.touching.get(&(time, u)).into_iter().flatten();
+                                for &(other, there) in there {
+                                    if other != agent && rule.binds(other) {
+                                        out.clause(&[!at, !there]);
+                                    }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if let (true, Place::At(v)) = (has_gap, place) {
+            let visits = self.visits.entry(v).or_default();
+            visits.entry(time).or_default().push((agent, at));
+        }
+        if has_distance {
+            for v in touched(terrain, place) {
+                let touching = self.touching.entry((time, v)).or_default();
+                touching.push((agent, at));
+            }
+        }
+        Ok(())
+    }
+
+    /// An agent is in the zone of a rule at a time, where the literal is true.
+    fn count(
+        &mut self,
+        key: (usize, u32),
+        most: u32,
+        (agent, at): (AgentId, Lit),
+        out: &mut impl Clauses,
+    ) -> Result<(), Stop> {
+        let count = self.zones.entry(key).or_insert_with(|| Count {
+            inside: BTreeMap::new(),
+            sum: SumLimit::new(most as usize),
+        });
+        let inside = match count.inside.get(&agent) {
+            Some(&inside) => inside,
+            None => {
+                let inside = out.fresh();
+                count.inside.insert(agent, inside);
+                count.sum.add(&[inside], out)?;
+                inside
+            }
+        };
+        out.clause(&[!at, inside]);
+        Ok(())
+    }
+}
