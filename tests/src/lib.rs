@@ -25,6 +25,8 @@ pub mod picture;
 pub mod questions;
 pub mod random;
 pub mod recount;
+pub mod rules_oracle;
+pub mod rules_random;
 pub mod source;
 pub mod textbook;
 pub mod traced;

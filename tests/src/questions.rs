@@ -69,7 +69,7 @@ fn plan(instance: &Instance, random: &mut ChaCha8Rng) -> Option<Plan> {
     if random.random_bool(0.6) {
         return best(instance, None);
     }
-    let mut costs = Cost::ALL.to_vec();
+    let mut costs = Cost::USUAL.to_vec();
     costs.shuffle(random);
     let other = Objective::new(costs).unwrap();
     best(&instance.clone().with_objective(other), None)

@@ -158,6 +158,8 @@ fn cases(instance: &Instance, condition: Option<&Condition>) -> Vec<Option<Case>
                     steps(&agent, fewer_than);
                     Question::Waits { agent: name }
                 }
+                // No instance here has one.
+                Cost::Penalty => return Vec::new(),
                 Cost::Moves => Question::Length {
                     agent,
                     fewer_than: Some(fewer_than),

@@ -1,4 +1,4 @@
-//! The five costs of a plan, and objectives over them.
+//! The costs of a plan, and objectives over them.
 
 use borsh::io;
 use std::borrow::Cow;
@@ -33,11 +33,23 @@ pub enum Cost {
     Moves,
     /// The number of wait steps before arrival.
     Waits,
+    /// What rules of the scene's own make times in a zone and late arrivals cost.
+    Penalty,
 }
 
 impl Cost {
-    /// All five, in the order in which results list them.
-    pub const ALL: [Self; 5] = [
+    /// All of them, in the order in which results list them.
+    pub const ALL: [Self; 6] = [
+        Self::Makespan,
+        Self::SumOfCosts,
+        Self::Charges,
+        Self::Moves,
+        Self::Waits,
+        Self::Penalty,
+    ];
+
+    /// Those of every scene: all but the penalty, which rules of a scene's own make.
+    pub const USUAL: [Self; 5] = [
         Self::Makespan,
         Self::SumOfCosts,
         Self::Charges,
@@ -53,6 +65,7 @@ impl Cost {
             Self::Charges => "charges",
             Self::Moves => "moves",
             Self::Waits => "waits",
+            Self::Penalty => "penalty",
         }
     }
 }
@@ -71,7 +84,7 @@ impl fmt::Display for UnknownCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "found \"{}\", expected makespan, sum-of-costs, charges, moves or waits",
+            "found \"{}\", expected makespan, sum-of-costs, charges, moves, waits or penalty",
             self.0
         )
     }
@@ -123,6 +136,14 @@ pub struct Costs {
     pub moves: u32,
     /// The number of wait steps before arrival.
     pub waits: u32,
+    /// What rules of the scene's own make times in a zone and late arrivals cost.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub penalty: u32,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it so")]
+const fn is_zero(cost: &u32) -> bool {
+    *cost == 0
 }
 
 impl Costs {
@@ -134,6 +155,7 @@ impl Costs {
             Cost::Charges => self.charges,
             Cost::Moves => self.moves,
             Cost::Waits => self.waits,
+            Cost::Penalty => self.penalty,
         }
     }
 
@@ -193,6 +215,15 @@ impl Objective {
             }
         }
         Ok(Self(costs))
+    }
+
+    /// The same with a cost at the end, where it has it not.
+    #[must_use]
+    pub fn with_last(mut self, cost: Cost) -> Self {
+        if !self.0.contains(&cost) {
+            self.0.push(cost);
+        }
+        self
     }
 
     /// The costs, the most important first.

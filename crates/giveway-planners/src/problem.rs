@@ -272,6 +272,13 @@ impl Problem {
         masks
     }
 
+    /// The largest number of which each weight of a penalty is a multiple; 1 where there is
+    /// none.
+    pub fn penalty_unit(&self) -> u32 {
+        let weights = self.tasks.iter().flat_map(Task::weights);
+        weights.fold(0, greatest_common_divisor).max(1)
+    }
+
     /// Whether there are rules between agents beside that they must not collide.
     pub fn has_rules_between(&self) -> bool {
         !self.between.is_empty() || !self.precedences.is_empty()
@@ -314,4 +321,11 @@ impl Problem {
     pub fn default_horizon(&self, grid: &Grid) -> u32 {
         self.longest + 4 * (grid.width() + grid.height()) + 10
     }
+}
+
+const fn greatest_common_divisor(mut a: u32, mut b: u32) -> u32 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
 }

@@ -111,7 +111,7 @@ fn fewest(task: &Task, terrain: &Terrain, walk: &[Place], fixed: &[u32]) -> Opti
     Some(charges)
 }
 
-/// The five costs of one agent's walk.
+/// The costs of one agent's walk.
 pub fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
     let arrival = arrival(walk);
     let task = &problem.tasks[agent];
@@ -124,7 +124,9 @@ pub fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
         waits: goes_on * task.waits_if_it_leaves_goal,
         ..Costs::default()
     };
-    for pair in walk.windows(2) {
+    for (pair, now) in walk.windows(2).zip(0..) {
+        let penalty = task.penalty_at(&problem.terrain, pair[0], now);
+        costs.penalty = costs.penalty.saturating_add(penalty);
         match (pair[0], pair[1]) {
             (Place::At(u), Place::At(v)) if u == v => costs.waits += 1,
             (Place::Along(_), _) => {}
@@ -134,7 +136,7 @@ pub fn costs_of(problem: &Problem, agent: usize, walk: &[Place]) -> Costs {
     costs
 }
 
-/// The five costs of walks, one an agent.
+/// The costs of walks, one an agent.
 pub fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
     let mut costs = Costs::default();
     for (agent, walk) in walks.iter().enumerate() {
@@ -144,6 +146,7 @@ pub fn costs(problem: &Problem, walks: &[Walk]) -> Costs {
         costs.charges += own.charges;
         costs.moves += own.moves;
         costs.waits += own.waits;
+        costs.penalty = costs.penalty.saturating_add(own.penalty);
     }
     costs
 }

@@ -60,7 +60,7 @@ pub(crate) fn words(condition: &Condition) -> String {
         } => {
             let agent = escape::name(agent);
             match cost {
-                Cost::Charges | Cost::Moves | Cost::Waits => tr!(
+                Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => tr!(
                     "a plan in which ..." => "{agent} has at most {most} {cost}",
                     agent,
                     most = limit.saturating_sub(1),

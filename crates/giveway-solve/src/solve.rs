@@ -38,7 +38,8 @@ impl<'h> SolveTask<'h> {
         host: &'h dyn Host,
     ) -> Self {
         Self {
-            objective: objective.unwrap_or_else(|| instance.objective().clone()),
+            objective: instance
+                .in_force(objective.unwrap_or_else(|| instance.objective().clone())),
             instance,
             within,
             start: None,

@@ -235,7 +235,7 @@ fn claims(manifest: &mut Manifest, other: &Manifest, random: &mut ChaCha8Rng) {
 
 /// A claim that goes further, or less far.
 fn another_claim(manifest: &mut Manifest, random: &mut ChaCha8Rng) {
-    let cost = *Cost::ALL.choose(random).unwrap();
+    let cost = *Cost::USUAL.choose(random).unwrap();
     let some = random.random_range(0..manifest.claims.len().max(1));
     let Some(entry) = manifest.claims.get_mut(some) else {
         return;

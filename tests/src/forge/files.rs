@@ -87,7 +87,7 @@ pub(super) fn plan(folder: &mut Folder, random: &mut ChaCha8Rng) -> Option<()> {
 
 /// A plan that is best by another objective.
 fn worse(instance: &Instance, random: &mut ChaCha8Rng) -> Option<Plan> {
-    let objective = Objective::new(vec![*Cost::ALL.choose(random)?]).ok()?;
+    let objective = Objective::new(vec![*Cost::USUAL.choose(random)?]).ok()?;
     let instance = instance.clone().with_objective(objective);
     let question = Question {
         instance: &instance,
@@ -146,7 +146,7 @@ pub(super) fn instance(folder: &mut Folder, random: &mut ChaCha8Rng) -> Option<(
 
 pub(super) fn objective(folder: &mut Folder, random: &mut ChaCha8Rng) -> Option<()> {
     let count = random.random_range(1..=2);
-    let costs: Vec<Cost> = Cost::ALL.sample(random, count).copied().collect();
+    let costs: Vec<Cost> = Cost::USUAL.sample(random, count).copied().collect();
     let objective = Objective::new(costs).ok()?;
     folder.manifest["objective"] = json!(objective);
     if random.random_bool(0.7) {

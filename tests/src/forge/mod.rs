@@ -109,7 +109,7 @@ impl Folder {
             proof_bytes: 1 << 20,
             ..Budget::default()
         };
-        let mut free: BTreeSet<&str> = Cost::ALL.iter().map(|cost| cost.name()).collect();
+        let mut free: BTreeSet<&str> = Cost::USUAL.iter().map(|cost| cost.name()).collect();
         free.insert("no-plan");
         for entry in &mut manifest.claims {
             let Entry::Proof {

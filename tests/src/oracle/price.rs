@@ -51,6 +51,7 @@ impl Price {
             Cost::Charges => self.charges,
             Cost::Moves => self.moves,
             Cost::Waits => self.waits,
+            Cost::Penalty => 0,
         }
     }
 }

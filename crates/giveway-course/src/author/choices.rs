@@ -8,13 +8,13 @@ use super::Pick;
 
 /// Costs that the best plan of a scene makes least; all, where there is no scene.
 pub(super) fn objective(scene: Option<&Scene>) -> Vec<Pick> {
-    let costs = scene.map_or(&Cost::ALL[..], |scene| scene.objective.costs());
+    let costs = scene.map_or(&Cost::USUAL[..], |scene| scene.objective.costs());
     costs.iter().map(|cost| self::cost(*cost)).collect()
 }
 
 /// All costs.
 pub(super) fn costs() -> Vec<Pick> {
-    Cost::ALL.into_iter().map(cost).collect()
+    Cost::USUAL.into_iter().map(cost).collect()
 }
 
 /// All costs, or none.

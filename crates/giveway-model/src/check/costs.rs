@@ -1,10 +1,11 @@
 //! The five costs of a plan.
 
+use super::constraints;
 use super::steps::{Step, steps};
 use super::walk::Walk;
 use crate::{Cost, Costs, Instance, Plan};
 
-/// The five costs of a plan, broken or not; `None` where an agent has no path.
+/// The costs of a plan, broken or not; `None` where an agent has no path.
 ///
 /// They count from time 0. An agent that had been at its goal before and goes on is the
 /// exception: then these steps count in the sum of costs, and those that it did not
@@ -68,6 +69,7 @@ fn of_walks(instance: &Instance, walks: &[Walk<'_>]) -> Costs {
             *counter = counter.saturating_add(1);
         }
     }
+    costs.penalty = constraints::penalty(instance, walks);
     costs
 }
 

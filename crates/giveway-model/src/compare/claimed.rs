@@ -137,7 +137,7 @@ fn definitions(
                 Some(away_from_goal(instance, plan)),
             ),
         ],
-        Cost::Charges | Cost::Moves | Cost::Waits => Vec::new(),
+        Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => Vec::new(),
     }
 }
 

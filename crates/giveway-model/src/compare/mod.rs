@@ -104,7 +104,7 @@ pub fn compare(instance: &Instance, one: &Plan, other: &Plan) -> Comparison {
 fn deltas(costs: &[Option<Costs>; 2]) -> BTreeMap<Cost, i64> {
     let mut deltas = BTreeMap::new();
     if let [Some(one), Some(other)] = costs {
-        for cost in Cost::ALL {
+        for cost in Cost::USUAL {
             deltas.insert(cost, i64::from(other.get(cost)) - i64::from(one.get(cost)));
         }
     }

@@ -168,6 +168,10 @@ fn below(agent: &str, cost: Cost, below: u32) -> Clause {
             would: tr!("If ..." => "{agent} made fewer than {below} waits", agent, below),
             does: tr!("a plan in which ..." => "{agent} makes fewer than {below} waits", agent, below),
         },
+        Cost::Penalty => Clause {
+            would: tr!("If ..." => "{agent} had a penalty below {below}", agent, below),
+            does: tr!("a plan in which ..." => "{agent} has a penalty below {below}", agent, below),
+        },
     }
 }
 

@@ -33,7 +33,7 @@ impl Serialize for Condition {
             } => Some(Written::Arrival { agent, before }),
             Self::Below {
                 agent: Some(agent),
-                cost: cost @ (Cost::Charges | Cost::Moves | Cost::Waits),
+                cost: cost @ (Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty),
                 limit,
             } => limit
                 .checked_sub(1)
@@ -84,7 +84,7 @@ impl<'de> Deserialize<'de> for Condition {
                 ) => Ok(condition),
             },
             Written::AtMost {
-                cost: cost @ (Cost::Makespan | Cost::SumOfCosts),
+                cost: cost @ (Cost::Makespan | Cost::SumOfCosts | Cost::Penalty),
                 ..
             } => Err(D::Error::custom(format!(
                 "found a limit of the {cost} of one robot, expected one of charges, moves or waits"

@@ -9,7 +9,7 @@ pub use start_state::{Breakdown, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::{
-    Agent, Assumption, AtGoal, Cell, Constraint, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
+    Agent, Assumption, AtGoal, Cell, Constraint, Cost, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
     Version, Zone, constraint::InForce, tr, tr_later,
 };
 
@@ -169,6 +169,18 @@ impl Instance {
     pub fn constraints_in_force(&self) -> impl Iterator<Item = InForce<'_>> {
         let constraints = self.constraints.iter().enumerate();
         constraints.filter_map(|(index, it)| it.in_force(index, &self.agents))
+    }
+
+    /// An objective as it is in force: where a rule makes something cost a penalty, and the
+    /// objective does not name it, that comes last.
+    #[must_use]
+    pub fn in_force(&self, objective: Objective) -> Objective {
+        let mut rules = self.constraints_in_force();
+        if rules.any(|rule| rule.constraint.is_penalty()) {
+            objective.with_last(Cost::Penalty)
+        } else {
+            objective
+        }
     }
 
     /// Whether a rule of its own is in force.

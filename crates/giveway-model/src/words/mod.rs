@@ -146,6 +146,7 @@ pub fn name(cost: Cost) -> &'static str {
         Cost::Charges => tr!("charges"),
         Cost::Moves => tr!("moves"),
         Cost::Waits => tr!("waits"),
+        Cost::Penalty => tr!("penalty"),
     }
 }
 
@@ -157,13 +158,14 @@ pub fn noun(cost: Cost) -> &'static str {
         Cost::Charges => tr!("number of charges"),
         Cost::Moves => tr!("number of moves"),
         Cost::Waits => tr!("number of waits"),
+        Cost::Penalty => tr!("penalty"),
     }
 }
 
 /// A cost and its value: `makespan 18`, `1 charge`.
 pub fn value(cost: Cost, n: u32) -> String {
     match cost {
-        Cost::Makespan | Cost::SumOfCosts => format!("{} {n}", name(cost)),
+        Cost::Makespan | Cost::SumOfCosts | Cost::Penalty => format!("{} {n}", name(cost)),
         Cost::Charges => tr!("{n} charge" | "{n} charges" % n),
         Cost::Moves => tr!("{n} move" | "{n} moves" % n),
         Cost::Waits => tr!("{n} wait" | "{n} waits" % n),

@@ -151,5 +151,6 @@ pub(super) fn price(cost: Cost, delta: i64) -> String {
         Cost::Charges => tr!("{delta} more charges", delta),
         Cost::Moves => tr!("{delta} more moves", delta),
         Cost::Waits => tr!("{delta} more waits", delta),
+        Cost::Penalty => tr!("{delta} more penalty", delta),
     }
 }

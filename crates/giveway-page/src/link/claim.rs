@@ -38,7 +38,7 @@ pub(super) fn write(solved: &SolveAnswer) -> String {
         u32::from(solved.reach.is_complete()),
         plus_one(solved.reach.within()),
     ];
-    let bounds = Cost::ALL.map(|cost| plus_one(solved.bounds.get(&cost).copied()));
+    let bounds = Cost::USUAL.map(|cost| plus_one(solved.bounds.get(&cost).copied()));
     parts.extend(bounds);
     let stats = solved.stats;
     parts.extend([stats.variables, stats.clauses, stats.conflicts].map(count));
@@ -78,7 +78,7 @@ pub(super) fn read(solved: &mut SolveAnswer, text: &str) -> Option<()> {
     let reach = serde_json::from_value(reach).ok()?;
     solved.status = status;
     solved.reach = reach;
-    let bounds = Cost::ALL.into_iter().zip(bounds);
+    let bounds = Cost::USUAL.into_iter().zip(bounds);
     let bounds = bounds.filter_map(|(cost, &bound)| Some((cost, bound.checked_sub(1)?)));
     solved.bounds = sorting::map(bounds);
     solved.ended = ended;

@@ -92,7 +92,7 @@ fn rows(steering: &Steering) -> Vec<CostRow> {
         return Vec::new();
     };
     let objective = steering.about.draft.scene().objective.costs();
-    let others = Cost::ALL.into_iter().filter(|c| !objective.contains(c));
+    let others = Cost::USUAL.into_iter().filter(|c| !objective.contains(c));
     let all = objective.iter().copied().chain(others);
     all.map(|cost| CostRow {
         title: words::title(cost).to_owned(),

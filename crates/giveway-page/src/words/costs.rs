@@ -11,6 +11,7 @@ pub fn title(cost: Cost) -> &'static str {
         Cost::Charges => tr!("Charges"),
         Cost::Moves => tr!("Moves"),
         Cost::Waits => tr!("Waits"),
+        Cost::Penalty => tr!("Penalty"),
     }
 }
 

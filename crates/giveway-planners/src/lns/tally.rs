@@ -58,6 +58,7 @@ impl PlanCosts {
             (&mut sums.charges, old.charges, costs.charges),
             (&mut sums.moves, old.moves, costs.moves),
             (&mut sums.waits, old.waits, costs.waits),
+            (&mut sums.penalty, old.penalty, costs.penalty),
         ] {
             *sum = *sum - old + new;
         }

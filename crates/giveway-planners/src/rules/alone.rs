@@ -11,7 +11,7 @@ use super::OwnRules;
 use crate::{
     AgentId,
     single::{
-        Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Stay, Task, Turns,
+        Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay, Task, Turns,
         has_to_be_at,
     },
     terrain::{Terrain, Vertex},
@@ -102,12 +102,18 @@ impl OwnRules<'_> {
                 }));
             }
             ConstraintKind::Turns { quarter } => self.turn(agent, task, *quarter),
-            // Between agents, or a cost.
+            ConstraintKind::Late { by, weight } => task.penalties.push(Penalty::Late {
+                by: *by,
+                weight: *weight,
+            }),
+            ConstraintKind::Avoid { zone, weight } => {
+                let penalty = Penalty::Avoid(self.area(zone), *weight);
+                task.penalties.push(penalty);
+            }
+            // Between agents.
             ConstraintKind::Capacity { .. }
             | ConstraintKind::Gap { .. }
-            | ConstraintKind::Apart { .. }
-            | ConstraintKind::Late { .. }
-            | ConstraintKind::Avoid { .. } => {}
+            | ConstraintKind::Apart { .. } => {}
         }
         Ok(())
     }

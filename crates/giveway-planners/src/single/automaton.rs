@@ -93,7 +93,10 @@ impl Part<'_> {
             Self::Counter(counter) => counter.last_time(),
             Self::Required(_, required) => last_of(required.times()),
             Self::Limit(Cost::Makespan, most) => Some(most),
-            Self::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, _) => None,
+            Self::Limit(
+                Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty,
+                _,
+            ) => None,
         }
     }
 }

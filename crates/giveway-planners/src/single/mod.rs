@@ -21,4 +21,4 @@ pub use earliest::earliest;
 pub use mdd::{Mdd, Node, NodeId, Place};
 pub use no_plan_alone::{NoPlanAlone, has_to_be_at};
 pub use onward::{Onward, State};
-pub use task::{Bounds, MAX_WAYPOINTS, Mask, Reserve, Task};
+pub use task::{Bounds, MAX_WAYPOINTS, Mask, Penalty, Reserve, Task};

@@ -4,8 +4,11 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Battery, Rules, StartState};
 
-use super::{Automaton, Counter, NoPlanAlone, Passage, Place, State, has_to_be_at};
-use crate::terrain::{Arc, Terrain, Vertex};
+use super::{Area, Automaton, Counter, NoPlanAlone, Passage, Place, State, has_to_be_at};
+use crate::{
+    rules::touched,
+    terrain::{Arc, Terrain, Vertex},
+};
 
 /// How far an agent has come: a set of visited waypoints, one bit each in the order of the
 /// agent's list; after them one for each thing that a condition asks for; and from bit
@@ -26,6 +29,20 @@ pub struct Reserve {
     pub full: u32,
     /// The level at time 0: initial less floor.
     pub initial: u32,
+}
+
+/// What costs an agent a penalty.
+#[derive(Clone, Debug)]
+pub enum Penalty {
+    /// Each time in an area before its arrival costs so much.
+    Avoid(Area, u32),
+    /// Each step that it arrives after a time costs so much.
+    Late {
+        /// The time.
+        by: u32,
+        /// The cost of a step.
+        weight: u32,
+    },
 }
 
 /// Where an agent may go.
@@ -59,6 +76,8 @@ pub struct Task {
     /// It does not rest at these vertices by these times: only of an agent without a
     /// goal, which may rest elsewhere meanwhile.
     pub not_resting: Vec<(Vertex, u32)>,
+    /// What costs it a penalty.
+    pub penalties: Vec<Penalty>,
     /// Where it may go.
     pub bounds: Bounds,
     /// At time 0 it is half way along this arc, whose end is `start`.
@@ -103,6 +122,7 @@ impl Task {
             conditions: Automaton::default(),
             not_before: 0,
             not_resting: Vec::new(),
+            penalties: Vec::new(),
             bounds: Bounds::Free,
             transit: None,
             earliest_move: 0,
@@ -246,7 +266,43 @@ impl Task {
     /// The last time at which what it may do differs from later ones.
     pub fn last_time(&self) -> Option<u32> {
         let held = (self.earliest_move > 0).then_some(self.earliest_move);
-        self.conditions.last_time().max(held)
+        let late = self.penalties.iter().map(|penalty| match penalty {
+            Penalty::Late { by, .. } => *by,
+            Penalty::Avoid(..) => 0,
+        });
+        let late = late.max().filter(|&by| by > 0);
+        self.conditions.last_time().max(held).max(late)
+    }
+
+    /// The penalty of being at a place at a time before its arrival.
+    pub fn penalty_at(&self, terrain: &Terrain, place: Place, now: u32) -> u32 {
+        let each = self.penalties.iter().map(|penalty| match penalty {
+            Penalty::Avoid(area, weight) => {
+                let is_inside = touched(terrain, place).any(|v| area.has(v));
+                if is_inside { *weight } else { 0 }
+            }
+            Penalty::Late { by, weight } if now >= *by => *weight,
+            Penalty::Late { .. } => 0,
+        });
+        each.fold(0, u32::saturating_add)
+    }
+
+    /// The penalty for the steps from a time up to an arrival, wherever they lead.
+    pub fn penalty_of_time(&self, from: u32, arrival: u32) -> u32 {
+        let each = self.penalties.iter().map(|penalty| match penalty {
+            Penalty::Avoid(..) => 0,
+            Penalty::Late { by, weight } => {
+                arrival.saturating_sub(from.max(*by)).saturating_mul(*weight)
+            }
+        });
+        each.fold(0, u32::saturating_add)
+    }
+
+    /// All its weights.
+    pub fn weights(&self) -> impl Iterator<Item = u32> + '_ {
+        self.penalties.iter().map(|penalty| match penalty {
+            Penalty::Avoid(_, weight) | Penalty::Late { weight, .. } => *weight,
+        })
     }
 
     /// Its mask once it has begun to cross an arc; `None` where that is not its
@@ -324,6 +380,7 @@ impl Task {
     pub fn is_plain(&self) -> bool {
         self.reserve.is_none()
             && self.conditions.is_empty()
+            && self.penalties.is_empty()
             && self.transit.is_none()
             && matches!(self.bounds, Bounds::Free)
             && (self.earliest_move, self.not_before) == (0, 0)

@@ -33,7 +33,7 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
         let _ = writeln!(
             text,
             "- **There is a plan** that keeps every rule: `plan.json`. Its costs: {}.",
-            values(&Cost::ALL, costs)
+            values(&Cost::USUAL, costs)
         );
     }
     for entry in &manifest.claims {

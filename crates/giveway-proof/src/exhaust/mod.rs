@@ -117,7 +117,7 @@ pub fn alone_at_least(
     Some(total >= bound)
 }
 
-/// How much of the five costs something takes, in the order of [`Cost::ALL`].
+/// How much of the five costs something takes, in the order of [`Cost::USUAL`].
 type Spent = [u32; 5];
 
 /// A search by growing cost.
@@ -213,7 +213,7 @@ impl Search<'_> {
             };
             let Some(memory) = memory else { continue };
             let mut taken = Spent::default();
-            for (sum, cost) in taken.iter_mut().zip(Cost::ALL) {
+            for (sum, cost) in taken.iter_mut().zip(Cost::USUAL) {
                 let each = chosen.iter().map(|step| step.spent[cost as usize]);
                 *sum = if cost == Cost::Makespan {
                     each.max().unwrap_or(0)

@@ -62,7 +62,7 @@ pub(super) fn require(
                 Cost::Makespan | Cost::SumOfCosts => {
                     cnf.clause(most.and_then(|time| walker.done_by(time)));
                 }
-                Cost::Charges | Cost::Moves | Cost::Waits => match most {
+                Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => match most {
                     None => cnf.clause([]),
                     Some(most) => {
                         let counted = walker.counted(cnf, *cost);

@@ -101,7 +101,8 @@ impl MddEncoding {
             written: Vec::new(),
             due: BTreeMap::new(),
             by: Vec::new(),
-            rests_on: problem.rests(id) && (task.goal.is_none() || !problem.between.is_empty()),
+            rests_on: problem.rests(id)
+                && (task.goal.is_none() || problem.has_rules_between()),
             rest: BTreeMap::new(),
             positions: BTreeMap::new(),
             alone: Vec::new(),
@@ -227,7 +228,7 @@ impl MddEncoding {
     }
 
     /// The literal "arrived before `time`, at `v`" where it stays, if it is written.
-    fn rest(&self, v: Vertex, time: u32) -> Option<Lit> {
+    pub(crate) fn rest(&self, v: Vertex, time: u32) -> Option<Lit> {
         self.rest.get(&v)?.at(time)
     }
 

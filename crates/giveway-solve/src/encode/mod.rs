@@ -10,3 +10,4 @@ pub(crate) mod rules;
 #[cfg(test)]
 mod tests;
 pub(crate) mod totalizer;
+pub(crate) mod weighted;

@@ -69,7 +69,9 @@ fn about_agent(case: &FittingQuestion) -> Option<Condition> {
     // The agent with the most waits is to arrive sooner.
     let (most, less) = match cost {
         Cost::SumOfCosts => (Cost::Waits, Cost::Makespan),
-        Cost::Makespan | Cost::Charges | Cost::Moves | Cost::Waits => (*cost, *cost),
+        Cost::Makespan | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
+            (*cost, *cost)
+        }
     };
     // The first of those with the most.
     let agents = case.instance.agents().iter().rev();

@@ -114,6 +114,7 @@ impl Joint<'_> {
                     from: place,
                     to: step.to.place,
                     charged,
+                    penalty: task.penalty_at(terrain, place, clock),
                 };
                 let Some((count, mask)) = follow(task, count, [mask, step.to.mask], event) else {
                     return;

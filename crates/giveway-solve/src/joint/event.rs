@@ -10,6 +10,8 @@ pub(super) struct Event {
     pub(super) from: Place,
     pub(super) to: Place,
     pub(super) charged: bool,
+    /// The penalty of the step.
+    pub(super) penalty: u32,
 }
 
 impl Event {
@@ -25,6 +27,7 @@ impl Event {
             Cost::Moves => matches!(self.from, Place::At(_)) && !self.waits(),
             Cost::SumOfCosts => true,
             Cost::Makespan => false,
+            Cost::Penalty => return self.penalty,
         };
         u32::from(counts)
     }
@@ -67,7 +70,10 @@ fn sizes(task: &Task) -> impl Iterator<Item = u32> + '_ {
 fn size(part: Part<'_>) -> Option<u32> {
     match part {
         Part::Required(_, Required::Charge { .. }) => Some(2),
-        Part::Limit(Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits, most) => {
+        Part::Limit(
+            Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty,
+            most,
+        ) => {
             Some(most.saturating_add(1))
         }
         // The place, the mask and the clock tell.
@@ -110,7 +116,7 @@ pub(super) fn follow(
                     }
                 }
             }
-            Part::Limit(cost, _) => digit + event.costs(cost),
+            Part::Limit(cost, _) => digit.saturating_add(event.costs(cost)),
             Part::Required(_, Required::Cross { .. }) | Part::Forbidden(_) | Part::Counter(_) => {
                 digit
             }

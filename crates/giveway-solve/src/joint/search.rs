@@ -158,7 +158,7 @@ impl Joint<'_> {
         self.counted.tally(|cost| match cost {
             Cost::SumOfCosts => task.cost_if_it_leaves_goal,
             Cost::Waits => task.waits_if_it_leaves_goal,
-            Cost::Makespan | Cost::Charges | Cost::Moves => 0,
+            Cost::Makespan | Cost::Charges | Cost::Moves | Cost::Penalty => 0,
         })
     }
 

@@ -144,6 +144,7 @@ impl<'a> States<'a> {
             place,
             mask,
             battery,
+            clock,
             ..
         } = state
         else {
@@ -153,7 +154,8 @@ impl<'a> States<'a> {
             problem, counted, ..
         } = self.joint;
         let (v, delay) = arrival(problem, place);
-        let mask = mask | self.joint.task(self.agent).bit(v);
+        let task = self.joint.task(self.agent);
+        let mask = mask | task.bit(v);
         let from = |table: &CostToGo| table.from(v, mask, battery);
         let time = from(&problem.cost_to_go[self.joint.agents[self.agent]])? + delay;
         let charges = self.charges.as_ref().map_or(Some(0), from)?;
@@ -163,6 +165,7 @@ impl<'a> States<'a> {
             Cost::Charges => charges,
             Cost::Moves => moves,
             Cost::Waits => 0,
+            Cost::Penalty => task.penalty_of_time(clock, clock.saturating_add(time)),
         });
         Some((to_go, time))
     }

@@ -49,6 +49,12 @@ impl Bound {
         self.at_least += 1;
     }
 
+    /// No plan has less than this much more, as a core shows: each level of what it names
+    /// costs so much.
+    pub(super) const fn raise_by(&mut self, unit: u32, _: &Core) {
+        self.at_least += unit;
+    }
+
     /// No plan has less than this, as a core shows.
     pub(super) fn raise_to(&mut self, at_least: u32, _: &Core) {
         self.at_least = self.at_least.max(at_least);

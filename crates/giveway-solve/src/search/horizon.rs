@@ -67,7 +67,7 @@ impl Horizon {
         let latest = match cost {
             Cost::Makespan => most,
             Cost::SumOfCosts => latest_of_sum(problem, most),
-            Cost::Charges | Cost::Moves | Cost::Waits => return None,
+            Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => return None,
         };
         (latest <= self.latest).then_some(AllInTime(()))
     }

@@ -49,7 +49,7 @@ impl Minima {
         let metric = match cost {
             Cost::Charges => task.reserve.is_some().then_some(Metric::Charges),
             Cost::Moves => Some(Metric::Moves),
-            Cost::Waits | Cost::Makespan | Cost::SumOfCosts => None,
+            Cost::Waits | Cost::Makespan | Cost::SumOfCosts | Cost::Penalty => None,
         };
         let least = match metric {
             None => 0,
@@ -80,6 +80,10 @@ impl Minima {
         match cost {
             Cost::Makespan => Some(problem.optima[agent]),
             Cost::SumOfCosts => Some(problem.least_cost(agent)),
+            // A lower bound: zones to be avoided may be on each way.
+            Cost::Penalty => {
+                Some(problem.tasks[agent].penalty_of_time(0, problem.optima[agent]))
+            }
             Cost::Charges | Cost::Moves | Cost::Waits => self.0.get(&(agent, cost)).copied(),
         }
     }
@@ -99,7 +103,7 @@ impl Minima {
             let least = self.of(problem, agent, cost, budget)?;
             bound = match cost {
                 Cost::Makespan => bound.max(least),
-                Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits => {
+                Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
                     bound.saturating_add(least)
                 }
             };

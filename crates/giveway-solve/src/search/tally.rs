@@ -1,8 +1,9 @@
-//! Charges, moves and waits of one agent as a number that SAT can bound.
+//! Charges, moves, waits and the penalty of one agent as a number that SAT can bound.
 //!
 //! Moves are counted by what they waste: with exact distances as potentials, a
 //! plan's moves are the fewest possible plus the waste of each step, which is
-//! mostly 0. So only wasteful steps have literals.
+//! mostly 0. So only wasteful steps have literals. Likewise late steps up to the agent's
+//! optimum are certain and are not counted.
 
 use giveway_model::Cost;
 
@@ -11,6 +12,7 @@ use crate::{
     encode::{
         agent::{MddEncoding, TakenStep},
         count::EventCounter,
+        weighted::WeightedCounter,
     },
     problem::Problem,
     sat::{Clauses, Lit},
@@ -21,6 +23,12 @@ use crate::{
 pub(crate) struct CostCounter {
     cost: Cost,
     count: EventCounter,
+    /// The penalty, in units.
+    weighted: WeightedCounter,
+    /// The amount of which each penalty is a multiple.
+    unit: u32,
+    /// The earliest arrival, up to which late steps are certain.
+    optimum: u32,
     /// The count without any event.
     base: u32,
     /// The moves still to make, batteries aside.
@@ -45,9 +53,16 @@ impl CostCounter {
             base = table.from(task.start, task.first_mask(), 0).unwrap_or(0);
             potential = Some(table);
         }
+        let optimum = problem.optima[agent];
+        if cost == Cost::Penalty {
+            base = problem.tasks[agent].penalty_of_time(0, optimum);
+        }
         Ok(Self {
             cost,
             count: EventCounter::default(),
+            weighted: WeightedCounter::default(),
+            unit: problem.penalty_unit(),
+            optimum,
             base,
             potential,
             goes_on: None,
@@ -57,6 +72,9 @@ impl CostCounter {
     /// The literal "more than `most`"; `None` where that is certain.
     pub(crate) fn more_than(&mut self, most: u32, out: &mut impl Clauses) -> Option<Lit> {
         let j = most.checked_sub(self.base)?;
+        if self.cost == Cost::Penalty {
+            return Some(self.weighted.more_than(j / self.unit, out));
+        }
         Some(self.count.more_than(j as usize, out))
     }
 
@@ -69,6 +87,10 @@ impl CostCounter {
         steps: &[TakenStep],
         out: &mut impl Clauses,
     ) {
+        if self.cost == Cost::Penalty {
+            self.grow_penalty((problem, task), code, steps, out);
+            return;
+        }
         if self.cost == Cost::Charges {
             let charges = code.battery().map_or(&[][..], |battery| battery.charges());
             for &charge in charges.iter().skip(self.count.times()) {
@@ -91,6 +113,31 @@ impl CostCounter {
             }
         }
         self.count.extend(out);
+    }
+
+    /// The same of the penalty: each step costs what its place and time cost.
+    fn grow_penalty(
+        &mut self,
+        (problem, task): (&Problem, &Task),
+        code: &MddEncoding,
+        steps: &[TakenStep],
+        out: &mut impl Clauses,
+    ) {
+        for step in steps {
+            let from = code.mdd().node(step.from);
+            let all = task.penalty_at(&problem.terrain, from.place, from.time);
+            let certain = if from.time < self.optimum {
+                task.penalty_of_time(from.time, from.time + 1)
+            } else {
+                0
+            };
+            let weight = all.saturating_sub(certain) / self.unit;
+            if weight > 0 {
+                let event = self.weighted.event(from.time, weight, out);
+                out.clause(&[!code.node(step.from), !code.node(step.to), event]);
+            }
+        }
+        self.weighted.extend(out);
     }
 
     /// The number of events that come before the first step.

@@ -50,6 +50,8 @@ pub(crate) struct Team<'p, 'h> {
     on_goals: BTreeMap<Vertex, Vec<(u32, AgentId, Lit)>>,
     /// "Not been there yet", by time, where a question asks who is first.
     not_yet: BTreeMap<(usize, u32), Lit>,
+    /// "Never been there", likewise.
+    never: BTreeMap<usize, Lit>,
     tallies: BTreeMap<(AgentId, Cost), CostCounter>,
     minima: Minima,
 }
@@ -70,6 +72,7 @@ impl<'p, 'h> Team<'p, 'h> {
             owners: map(goals.filter_map(|(agent, task)| Some((task.goal?, agent)))),
             on_goals: BTreeMap::new(),
             not_yet: BTreeMap::new(),
+            never: BTreeMap::new(),
             tallies: BTreeMap::new(),
             minima: Minima::default(),
         }
@@ -162,7 +165,7 @@ impl<'p, 'h> Team<'p, 'h> {
             return Ok(());
         };
         let task = &problem.tasks[agent];
-        for cost in [Cost::Charges, Cost::Moves, Cost::Waits] {
+        for cost in [Cost::Charges, Cost::Moves, Cost::Waits, Cost::Penalty] {
             if let Some(tally) = self.tallies.get_mut(&(agent, cost)) {
                 tally.grow(problem, task, code, &added.steps, &mut self.sat);
             }

@@ -431,5 +431,6 @@ fn extra(cost: Cost) -> &'static str {
         Cost::Charges => tr!("extra charges"),
         Cost::Moves => tr!("extra moves"),
         Cost::Waits => tr!("waits"),
+        Cost::Penalty => tr!("penalty beyond that"),
     }
 }

@@ -164,7 +164,7 @@ pub fn all(rows: &[Row]) -> Sheet {
             number(first.and_then(|first| row.bounds.get(first).copied())),
         ];
         line.extend(
-            giveway_model::Cost::ALL
+            giveway_model::Cost::USUAL
                 .iter()
                 .map(|&kind| number(cost(kind))),
         );

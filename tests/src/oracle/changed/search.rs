@@ -81,6 +81,7 @@ impl Changed {
                     Cost::Charges => sum(|step| step.charges),
                     Cost::Moves => sum(|step| step.moves),
                     Cost::Waits => sum(|step| step.waits),
+                    Cost::Penalty => 0,
                 };
             }
             if let Some(last) = vector.last_mut() {

@@ -74,7 +74,7 @@ pub(crate) const COST_HEADINGS: [&str; 4] = [
 pub(crate) fn costs(audited: &Audited) -> Vec<CostRow> {
     let answer = &audited.answer;
     let first = answer.objective.costs();
-    let others = Cost::ALL.iter().filter(|cost| !first.contains(cost));
+    let others = Cost::USUAL.iter().filter(|cost| !first.contains(cost));
     let row = |&cost: &Cost| CostRow {
         cost: name(cost),
         cells: [

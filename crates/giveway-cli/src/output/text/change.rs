@@ -105,7 +105,7 @@ fn compared(before: Option<&Costs>, methods: &Methods) -> String {
         plain::pad_left("", COLUMN),
         status.collect::<String>()
     );
-    for cost in Cost::ALL {
+    for cost in Cost::USUAL {
         let value = |costs: Option<&Costs>| {
             costs.map_or("-".to_owned(), |costs| costs.get(cost).to_string())
         };

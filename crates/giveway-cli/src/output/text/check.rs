@@ -42,7 +42,7 @@ pub(crate) fn check_over_time(
 }
 
 fn verdict(answer: &CheckAnswer) -> String {
-    let costs = answer.costs.map(|costs| values(&Cost::ALL, &costs));
+    let costs = answer.costs.map(|costs| values(&Cost::USUAL, &costs));
     if answer.valid {
         let word = paint(AnsiColor::Green.on_default().bold(), "Valid");
         return format!("{word}: {}.\n", costs.unwrap_or_default());

@@ -39,7 +39,7 @@ fn costs(compared: &Compared) -> String {
         text += &plain::pad_left(legal, wide);
     }
     text.push('\n');
-    for cost in Cost::ALL {
+    for cost in Cost::USUAL {
         text += &plain::pad_right(name(cost), 14);
         for costs in &compared.comparison.costs {
             let value = costs.map_or("-".to_owned(), |costs| costs.get(cost).to_string());

@@ -137,7 +137,7 @@ fn verdict(answer: &ExplainAnswer) -> String {
 /// All five costs of both plans, those of the objective first.
 fn cost_table(instance: &Instance, before: &Costs, after: &Costs) -> String {
     let objective = instance.objective().costs();
-    let others = Cost::ALL.iter().filter(|cost| !objective.contains(cost));
+    let others = Cost::USUAL.iter().filter(|cost| !objective.contains(cost));
     let mut text = format!(
         "{:<14}{:>10}{:>12}{:>12}\n",
         "cost", "this plan", "other plan", "difference"

@@ -48,7 +48,7 @@ fn status(objective: &Objective, answer: &FrontAnswer) -> String {
 
 /// A row a point: the costs of the objective, then the others.
 fn points(objective: &Objective, front: &[SolveAnswer]) -> String {
-    let others = Cost::ALL
+    let others = Cost::USUAL
         .iter()
         .filter(|cost| !objective.costs().contains(cost));
     let costs: Vec<Cost> = objective.costs().iter().chain(others).copied().collect();

@@ -41,7 +41,7 @@ fn ended(answer: &PlanAnswer) -> String {
 fn costs(answer: &PlanAnswer) -> String {
     let costs = answer.costs.unwrap_or_default();
     let first = answer.objective.costs();
-    let others = Cost::ALL.iter().filter(|cost| !first.contains(cost));
+    let others = Cost::USUAL.iter().filter(|cost| !first.contains(cost));
     let mut text = format!("{:<14}{:>8}{:>18}\n", "cost", "value", "proved at least");
     for &cost in first.iter().chain(others) {
         let bound = answer.bounds.get(&cost);

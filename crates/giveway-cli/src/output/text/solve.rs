@@ -52,7 +52,7 @@ fn status(objective: &Objective, answer: &SolveAnswer, assumptions: &[Assumption
 /// All five costs, those of the objective first, each with its proved bound and,
 /// where the search ended early, how far the cost may be above the best.
 fn cost_table(objective: &Objective, costs: &Costs, answer: &SolveAnswer) -> String {
-    let others = Cost::ALL
+    let others = Cost::USUAL
         .iter()
         .filter(|cost| !objective.costs().contains(cost));
     // Under an assumption the plan may be none of the problem: then it has no gap.
@@ -111,6 +111,7 @@ mod tests {
                 charges: 3,
                 moves: 30,
                 waits: 1,
+                ..Costs::default()
             }),
             bounds: BTreeMap::from([(Cost::Makespan, 22)]),
             reach: reach_of(within),

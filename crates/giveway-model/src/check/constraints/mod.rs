@@ -28,6 +28,48 @@ pub(super) fn find(instance: &Instance, walks: &[Walk<'_>], findings: &mut Findi
     }
 }
 
+/// What the rules of the scene's own make the walks of a plan cost.
+pub(super) fn penalty(instance: &Instance, walks: &[Walk<'_>]) -> u32 {
+    let table = Table {
+        instance,
+        walks,
+        makespan: 0,
+        last: 0,
+    };
+    let rules = instance.constraints_in_force();
+    let penalties = rules.map(|rule| match &rule.constraint.kind {
+        ConstraintKind::Avoid { zone, weight } => {
+            let area = table.area(zone);
+            let times = |row: Row<'_>| {
+                let times = 0..row.walk.arrival() as u32;
+                times
+                    .filter(|&time| row.touches(time).any(|cell| area.has(cell)))
+                    .count() as u32
+            };
+            let times = table.rows(&rule).into_iter().map(times);
+            times.fold(0, u32::saturating_add).saturating_mul(*weight)
+        }
+        ConstraintKind::Late { by, weight } => {
+            let late = |row: Row<'_>| (row.walk.arrival() as u32).saturating_sub(*by);
+            let late = table.rows(&rule).into_iter().map(late);
+            late.fold(0, u32::saturating_add).saturating_mul(*weight)
+        }
+        ConstraintKind::Capacity { .. }
+        | ConstraintKind::Closed { .. }
+        | ConstraintKind::OneWay { .. }
+        | ConstraintKind::Gap { .. }
+        | ConstraintKind::Apart { .. }
+        | ConstraintKind::Sequence { .. }
+        | ConstraintKind::Visit { .. }
+        | ConstraintKind::Arrive { .. }
+        | ConstraintKind::Depart { .. }
+        | ConstraintKind::Before { .. }
+        | ConstraintKind::NoWaiting { .. }
+        | ConstraintKind::Turns { .. } => 0,
+    });
+    penalties.fold(0, u32::saturating_add)
+}
+
 /// The plan as a table: where each agent is at each time.
 struct Table<'a> {
     instance: &'a Instance,

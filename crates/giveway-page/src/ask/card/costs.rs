@@ -40,7 +40,7 @@ pub(super) fn rows(asking: &Asking, other: &Answer) -> Vec<CostRow> {
         .objective
         .as_ref()
         .unwrap_or(&scene.objective);
-    let others = Cost::ALL
+    let others = Cost::USUAL
         .into_iter()
         .filter(|cost| !objective.costs().contains(cost) && before.get(*cost) != after.get(*cost));
     let costs = objective.costs().iter().copied().chain(others);

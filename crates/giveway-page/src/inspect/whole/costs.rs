@@ -31,7 +31,7 @@ pub(super) fn costs(
     objective: &[Cost],
     known: impl Fn(Cost) -> (Option<u32>, Option<u32>),
 ) -> Vec<CostFacts> {
-    let others = Cost::ALL
+    let others = Cost::USUAL
         .into_iter()
         .filter(|cost| !objective.contains(cost));
     let all = objective.iter().copied().chain(others);

@@ -11,7 +11,7 @@ use crate::link::text::numbers;
 /// What was adopted at each time, in a link's letters.
 pub(in crate::link) fn write_steps(steps: &[Adopted]) -> String {
     let costs = |costs: Option<Costs>| {
-        Cost::ALL.map(|cost| costs.map_or(0, |c| c.get(cost).saturating_add(1)))
+        Cost::USUAL.map(|cost| costs.map_or(0, |c| c.get(cost).saturating_add(1)))
     };
     let one = |step: &Adopted| {
         let method = match step.method {
@@ -75,5 +75,7 @@ fn costs(numbers: &[u32; 5]) -> Option<Costs> {
         charges: charges.checked_sub(1)?,
         moves: moves.checked_sub(1)?,
         waits: waits.checked_sub(1)?,
+        // Scenes whose rules make a penalty have no changes.
+        penalty: 0,
     })
 }

@@ -12,6 +12,8 @@ impl Walker<'_> {
             Cost::Charges => self.charges(),
             Cost::Moves => self.moves(cnf),
             Cost::Waits => self.waits(cnf),
+            // Only rules of a scene's own make one, and claims under these are refused.
+            Cost::Penalty => Vec::new(),
         }
     }
 

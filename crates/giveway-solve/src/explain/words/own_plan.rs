@@ -85,6 +85,7 @@ fn phrase(excess: &Excess) -> String {
             "{agent} makes {n} fewer move" | "{agent} makes {n} fewer moves" % by,
             agent
         ),
+        Cost::Penalty => tr!("{agent} has a penalty that is {by} less", agent, by),
         Cost::Waits => tr!(
             "{agent} waits {n} step less" | "{agent} waits {n} steps less" % by,
             agent

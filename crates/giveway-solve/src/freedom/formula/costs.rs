@@ -35,6 +35,8 @@ pub(super) fn limit(
                     sum.add(&delays.collect::<Vec<Lit>>(), out)?;
                 }
             }
+            // No rule of the scene is in force here, so there is none.
+            Cost::Penalty => {}
             Cost::Charges | Cost::Moves | Cost::Waits => {
                 let mut sum = SumLimit::new(most as usize);
                 for code in agents {

@@ -67,7 +67,7 @@ impl Search<'_, '_, '_> {
     /// Outside agents whose walks cost more than their own minimum.
     pub(crate) fn above_minimum(&mut self, cost: Cost) -> Result<Vec<AgentId>, Stop> {
         let mut above = Vec::new();
-        if !matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits) {
+        if matches!(cost, Cost::Makespan | Cost::SumOfCosts) {
             return Ok(above);
         }
         for agent in 0..self.problem.agents() {

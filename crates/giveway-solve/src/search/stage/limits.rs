@@ -36,7 +36,7 @@ impl Search<'_, '_, '_> {
             Ok(spare) => spare,
             Err(too_low) => return Ok(Err(too_low)),
         };
-        let limit = SumLimit::new(spare as usize);
+        let limit = SumLimit::new((spare / self.unit(cost)) as usize);
         self.sums.push((cost, limit));
         if cost == Cost::SumOfCosts {
             for agent in 0..self.problem.agents() {
@@ -69,6 +69,14 @@ impl Search<'_, '_, '_> {
         Ok(())
     }
 
+    /// The amount of which what agents have beyond their minima is a multiple.
+    fn unit(&self, cost: Cost) -> u32 {
+        match cost {
+            Cost::Penalty => self.problem.penalty_unit(),
+            Cost::Makespan | Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits => 1,
+        }
+    }
+
     /// The cost of an agent beyond its minimum, in unary, as far as a limit of `most` needs it.
     fn digits(&mut self, agent: AgentId, cost: Cost, most: u32) -> Result<Vec<Lit>, Stop> {
         let mut digits = Vec::new();
@@ -87,10 +95,11 @@ impl Search<'_, '_, '_> {
                     self.team.by(agent, time).map(|by| !by)
                 }
                 // No agent has more of a count than steps up to its latest arrival.
-                _ if more > cap => break,
+                Cost::Charges | Cost::Moves | Cost::Waits if more > cap => break,
                 _ => {
                     let least = self.team.least(agent, cost)?;
-                    self.team.more_than(agent, cost, least + more)?
+                    let more = more.saturating_mul(self.unit(cost));
+                    self.team.more_than(agent, cost, least.saturating_add(more))?
                 }
             };
             digits.extend(digit);

@@ -40,6 +40,8 @@ use soft::{AtMost, Soft};
 /// The state of one core-guided stage.
 pub(super) struct SumStage<'b> {
     cost: Cost,
+    /// What each level of a soft costs: penalties are multiples of it.
+    unit: u32,
     bound: &'b mut Bound,
     known: bool,
     /// No further cost is minimised: nothing is of interest but a better plan.
@@ -76,6 +78,10 @@ impl<'b> SumStage<'b> {
         let round_core = search.budget.thresholds().round_core;
         let mut stage = Self {
             cost,
+            unit: match cost {
+                Cost::Penalty => search.problem.penalty_unit(),
+                _ => 1,
+            },
             bound,
             known: known.is_some(),
             last,
@@ -175,7 +181,15 @@ impl<'b> SumStage<'b> {
         let cost = self.cost;
         let most = least;
         self.oll
-            .assume(search, Soft::Level(AtMost { agent, cost, most }))
+            .assume(
+                search,
+                Soft::Level(AtMost {
+                    agent,
+                    cost,
+                    most,
+                    unit: self.unit,
+                }),
+            )
     }
 
     /// Takes a core in: raises the bound.
@@ -207,7 +221,7 @@ impl<'b> SumStage<'b> {
         limits: &[Soft],
         effort: CoreEffort,
     ) {
-        self.bound.raise(shown);
+        self.bound.raise_by(self.unit, shown);
         search.report_bound(*self.bound);
         self.tell_core(search, limits, effort);
         let violations = core.iter().map(|&lit| !lit).collect();

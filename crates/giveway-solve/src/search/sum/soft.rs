@@ -21,11 +21,13 @@ pub(super) struct AtMost {
     pub(super) agent: AgentId,
     pub(super) cost: Cost,
     pub(super) most: u32,
+    /// What a level costs.
+    pub(super) unit: u32,
 }
 
 impl Level for AtMost {
     fn raised(self, by: u32) -> Option<Self> {
-        let most = self.most.checked_add(by)?;
+        let most = self.most.checked_add(by.checked_mul(self.unit)?)?;
         Some(Self { most, ..self })
     }
 }
@@ -40,7 +42,9 @@ impl<'h> Formula for Search<'_, 'h, '_> {
 
 impl Kept<Search<'_, '_, '_>> for AtMost {
     fn literal(self, search: &mut Search) -> Result<Option<Lit>, Stop> {
-        let Self { agent, cost, most } = self;
+        let Self {
+            agent, cost, most, ..
+        } = self;
         if cost != Cost::SumOfCosts {
             let more = search.team.more_than(agent, cost, most)?;
             return Ok(more.map(|lit| !lit));

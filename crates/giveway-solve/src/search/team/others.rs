@@ -98,6 +98,8 @@ impl Team<'_, '_> {
                     if v != second.1 {
                         continue;
                     }
+                    let never = self.never(number);
+                    self.sat.clause(&[!lit, !never]);
                     match time.checked_sub(u32::from(at_once)) {
                         None => self.sat.clause(&[!lit]),
                         Some(time) => {
@@ -117,6 +119,22 @@ impl Team<'_, '_> {
                     .filter(|&id| !task.has_been(mdd.node(id).mask, first.1))
                     .map(|id| (mdd.node(id).time, code.node(id)))
                     .collect();
+                // One that ends without having been there never is.
+                let ends = (old..mdd.size()).filter_map(|id| {
+                    let node = mdd.node(id);
+                    let Place::At(v) = node.place else {
+                        return None;
+                    };
+                    let is_end = code.is_end(node, task) && !task.has_been(node.mask, first.1);
+                    is_end.then(|| (code.node(id), code.rest(v, node.time + 1)))
+                });
+                let ends: Vec<(Lit, Option<Lit>)> = ends.collect();
+                for (node, rest) in ends {
+                    let never = self.never(number);
+                    let clause = [Some(!node), rest.map(|rest| !rest), Some(never)];
+                    let clause: Vec<Lit> = clause.into_iter().flatten().collect();
+                    self.sat.clause(&clause);
+                }
                 for (time, node) in nodes {
                     let not_yet = self.not_yet(number, time);
                     self.sat.clause(&[!node, not_yet]);
@@ -132,6 +150,12 @@ impl Team<'_, '_> {
             .not_yet
             .entry((number, time))
             .or_insert_with(|| sat.fresh())
+    }
+
+    /// The literal "the first agent of this precedence is never there".
+    fn never(&mut self, number: usize) -> Lit {
+        let sat = &mut self.sat;
+        *self.never.entry(number).or_insert_with(|| sat.fresh())
     }
 
     /// Another agent on the owner's goal at a time: the owner arrives later.

@@ -1,0 +1,240 @@
+//! The best plan, by Dijkstra's search over joint states.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
+use std::rc::Rc;
+
+use super::agent::{Mind, Way, Where};
+use super::scene::{Kind, RuleScene, Spot};
+
+/// What the oracle says of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The costs of the best plan, in the order of the objective.
+    Best(Vec<i64>),
+    /// There is no plan.
+    Impossible,
+    /// There are too many joint states.
+    Capped,
+}
+
+/// The states of one agent by number, each with its steps at a time.
+#[derive(Default)]
+struct Minds {
+    all: Vec<Mind>,
+    numbers: BTreeMap<Mind, u32>,
+    ways: BTreeMap<(u32, i64), Rc<Vec<(u32, Way)>>>,
+}
+
+impl Minds {
+    fn number(&mut self, mind: &Mind) -> u32 {
+        if let Some(&number) = self.numbers.get(mind) {
+            return number;
+        }
+        let number = self.all.len() as u32;
+        self.all.push(mind.clone());
+        self.numbers.insert(mind.clone(), number);
+        number
+    }
+
+    fn ways(&mut self, scene: &RuleScene, agent: usize, key: (u32, i64)) -> Rc<Vec<(u32, Way)>> {
+        if let Some(ways) = self.ways.get(&key) {
+            return Rc::clone(ways);
+        }
+        let mind = self.all[key.0 as usize].clone();
+        let ways = scene.ways(agent, &mind, key.1).into_iter();
+        let ways: Vec<(u32, Way)> = ways.map(|way| (self.number(&way.to), way)).collect();
+        let ways = Rc::new(ways);
+        self.ways.insert(key, Rc::clone(&ways));
+        ways
+    }
+}
+
+/// Each agent's state, whether the first of each precedence has been there, the time.
+type Joint = (Vec<u32>, Vec<bool>, i64);
+
+struct Search<'a> {
+    scene: &'a RuleScene,
+    minds: Vec<Minds>,
+    best: BTreeMap<Joint, Vec<i64>>,
+    open: BinaryHeap<Reverse<(Vec<i64>, i64, Joint)>>,
+}
+
+/// The costs of the best plan; with a horizon, of those of at most that makespan.
+pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
+    let agents = 0..scene.agents.len();
+    let mut search = Search {
+        scene,
+        minds: agents.clone().map(|_| Minds::default()).collect(),
+        best: BTreeMap::new(),
+        open: BinaryHeap::new(),
+    };
+    let after = scene.last + 1;
+    let clip = |time: i64| if within.is_some() { time } else { time.min(after) };
+    let mut starts: Vec<Vec<Mind>> = vec![Vec::new()];
+    for agent in agents.clone() {
+        let each = scene.begin(agent);
+        let longer = |head: &Vec<Mind>| -> Vec<Vec<Mind>> {
+            let with = |mind: &Mind| [head.clone(), vec![mind.clone()]].concat();
+            each.iter().map(with).collect()
+        };
+        starts = starts.iter().flat_map(longer).collect();
+    }
+    let none = vec![false; scene.orders().count()];
+    for minds in starts {
+        let refs: Vec<&Mind> = minds.iter().collect();
+        if scene.may_be(&refs, 0, &none) {
+            let been = scene.been(&refs, &none);
+            let numbers = minds.iter().zip(&mut search.minds);
+            let numbers = numbers.map(|(mind, minds)| minds.number(mind)).collect();
+            let costs = vec![0; scene.objective.len()];
+            search.reach((numbers, been, 0), costs, 0);
+        }
+    }
+    let mut closed = BTreeSet::new();
+    while let Some(Reverse((costs, time, joint))) = search.open.pop() {
+        if !closed.insert(joint.clone()) {
+            continue;
+        }
+        if closed.len() > most {
+            return Answer::Capped;
+        }
+        let minds: Vec<Mind> = search.minds(&joint.0);
+        if scene.is_over(&minds, time) {
+            return Answer::Best(costs);
+        }
+        if Some(time) != within {
+            search.expand(&joint, &minds, (&costs, time), clip);
+        }
+    }
+    Answer::Impossible
+}
+
+impl Search<'_> {
+    fn minds(&self, numbers: &[u32]) -> Vec<Mind> {
+        let each = self.minds.iter().zip(numbers);
+        each.map(|(minds, &number)| minds.all[number as usize].clone()).collect()
+    }
+
+    fn reach(&mut self, joint: Joint, costs: Vec<i64>, time: i64) {
+        if self.best.get(&joint).is_none_or(|best| costs < *best) {
+            self.best.insert(joint.clone(), costs.clone());
+            self.open.push(Reverse((costs, time, joint)));
+        }
+    }
+
+    fn expand(
+        &mut self,
+        joint: &Joint,
+        minds: &[Mind],
+        (costs, time): (&[i64], i64),
+        clip: impl Fn(i64) -> i64,
+    ) {
+        let is_live = |mind: &Mind| matches!(mind.place, Where::At(_) | Where::On(..));
+        let live = minds.iter().filter(|mind| is_live(mind)).count() as i64;
+        if live == 0 {
+            return;
+        }
+        let paid = minds.iter().enumerate().filter(|(_, mind)| is_live(mind));
+        let penalty: i64 = paid.map(|(a, mind)| self.scene.penalty(a, mind, time)).sum();
+        let ways: Vec<Rc<Vec<(u32, Way)>>> = (0..minds.len())
+            .map(|a| self.minds[a].ways(self.scene, a, (joint.0[a], clip(time))))
+            .collect();
+        let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
+        for each in &ways {
+            let longer = |head: &Vec<usize>| -> Vec<Vec<usize>> {
+                (0..each.len()).map(|i| [head.clone(), vec![i]].concat()).collect()
+            };
+            choices = choices.iter().flat_map(longer).collect();
+        }
+        for choice in choices {
+            let taken: Vec<&(u32, Way)> = ways.iter().zip(&choice).map(|(all, &i)| &all[i]).collect();
+            let edges: BTreeSet<(Spot, Spot)> = taken.iter().filter_map(|(_, way)| way.edge).collect();
+            if edges.iter().any(|&(from, to)| edges.contains(&(to, from))) {
+                continue;
+            }
+            let next: Vec<&Mind> = taken.iter().map(|(_, way)| &way.to).collect();
+            if !self.scene.may_be(&next, clip(time + 1), &joint.1) {
+                continue;
+            }
+            let sum = |which: usize| taken.iter().map(|(_, way)| way.costs[which]).sum::<i64>();
+            let more = |cost: &str| match cost {
+                "makespan" => 1,
+                "sum-of-costs" => live,
+                "charges" => sum(0),
+                "moves" => sum(1),
+                "waits" => sum(2),
+                _ => penalty,
+            };
+            let objective = self.scene.objective.iter();
+            let costs: Vec<i64> = objective.zip(costs).map(|(cost, paid)| paid + more(cost)).collect();
+            let been = self.scene.been(&next, &joint.1);
+            let numbers = taken.iter().map(|(number, _)| *number).collect();
+            self.reach((numbers, been, clip(time + 1)), costs, time + 1);
+        }
+    }
+}
+
+impl RuleScene {
+    fn orders(&self) -> impl Iterator<Item = ((usize, Spot), (usize, Spot))> {
+        self.rules.iter().filter_map(|rule| match rule.kind {
+            Kind::Before(first, second) => Some((first, second)),
+            _ => None,
+        })
+    }
+
+    fn been(&self, minds: &[&Mind], before: &[bool]) -> Vec<bool> {
+        let orders = self.orders().zip(before);
+        orders
+            .map(|((first, _), &been)| been || self.cell(first.0, minds[first.0]) == Some(first.1))
+            .collect()
+    }
+
+    /// Whether agents may be where they are at a time; `been` of the time before.
+    fn may_be(&self, minds: &[&Mind], time: i64, been: &[bool]) -> bool {
+        let cells: Vec<Option<Spot>> = minds.iter().enumerate().map(|(a, m)| self.cell(a, m)).collect();
+        let held: Vec<Spot> = cells.iter().flatten().copied().collect();
+        let apart: BTreeSet<Spot> = held.iter().copied().collect();
+        let pairs = |agents: &[usize]| -> Vec<(usize, usize)> {
+            let pair = |&a: &usize| agents.iter().map(move |&b| (a, b));
+            agents.iter().flat_map(pair).filter(|(a, b)| a != b).collect()
+        };
+        apart.len() == held.len()
+            && self.rules.iter().all(|rule| match &rule.kind {
+                Kind::Capacity(zone, most) if rule.is_about(time) => {
+                    let inside = rule.agents.iter().filter(|&&a| {
+                        self.touches(a, minds[a]).iter().any(|spot| zone.contains(spot))
+                    });
+                    inside.count() <= *most
+                }
+                Kind::Apart(distance) if rule.is_about(time) => {
+                    pairs(&rule.agents).iter().all(|&(a, b)| {
+                        self.touches(a, minds[a]).iter().all(|p| {
+                            let others = self.touches(b, minds[b]);
+                            others.iter().all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
+                        })
+                    })
+                }
+                Kind::Gap(steps) => pairs(&rule.agents).iter().all(|&(a, b)| {
+                    cells[b].is_none() || !minds[a].past.iter().take(*steps).any(|past| *past == cells[b])
+                }),
+                _ => true,
+            })
+            && self.orders().zip(been).all(|((_, second), &been)| been || cells[second.0] != Some(second.1))
+    }
+
+    /// Whether all have arrived, and may rest for ever.
+    fn is_over(&self, minds: &[Mind], time: i64) -> bool {
+        let arrived = |mind: &Mind| matches!(mind.place, Where::Home | Where::Gone);
+        if !minds.iter().all(arrived) {
+            return false;
+        }
+        let mut rest = minds.to_vec();
+        for mind in &mut rest {
+            mind.past.clear();
+        }
+        let refs: Vec<&Mind> = rest.iter().collect();
+        let orders = vec![true; self.orders().count()];
+        self.vanish || (time + 1..=self.last + 1).all(|later| self.may_be(&refs, later, &orders))
+    }
+}

@@ -1,0 +1,232 @@
+//! Random scenes with rules of their own, as JSON: the same seed and number give the same
+//! scene for ever.
+
+use rand::RngExt;
+use rand::seq::{IndexedRandom, SliceRandom};
+use rand_chacha::ChaCha8Rng;
+use serde_json::{Value, json};
+
+use crate::random::numbers;
+
+/// The kinds of rules; the last costs late steps.
+pub const KINDS: [&str; 14] = [
+    "capacity", "closed", "one-way", "gap", "apart", "sequence", "visit", "arrive", "depart",
+    "before", "no-waiting", "turns", "avoid", "late",
+];
+
+type Spot = (usize, usize);
+
+/// A scene of 2 or 3 agents on few cells, with a rule of each of some kinds.
+pub fn scene_with_rules(seed: u64, number: u64, kinds: &[&str]) -> Value {
+    let random = &mut numbers(seed, number);
+    loop {
+        let agents = *[2, 2, 3].choose(random).unwrap();
+        let (width, height) = *[(3, 2), (3, 3), (4, 2), (5, 1), (4, 3), (2, 4)].choose(random).unwrap();
+        let vanish = random.random_bool(0.3);
+        let (wall, slow, charger) = (
+            *[0.0, 0.1, 0.2].choose(random).unwrap(),
+            *[0.0, 0.0, 0.4].choose(random).unwrap(),
+            0.15,
+        );
+        let mut rows = vec![String::new(); height];
+        let mut free: Vec<Spot> = Vec::new();
+        for (y, row) in rows.iter_mut().enumerate() {
+            for x in 0..width {
+                let is_free = !random.random_bool(wall);
+                let (slow, charger) = (random.random_bool(slow), random.random_bool(charger));
+                row.push(match (is_free, slow, charger) {
+                    (false, ..) => '#',
+                    (true, false, false) => '.',
+                    (true, true, false) => '~',
+                    (true, false, true) => '+',
+                    (true, true, true) => '*',
+                });
+                free.extend(is_free.then_some((x, y)));
+            }
+        }
+        if free.len() < agents + 2 || agents == 3 && free.len() > 8 {
+            continue;
+        }
+        let mut world = World {
+            random,
+            free,
+            agents,
+            zones: Vec::new(),
+        };
+        let agents: Vec<Value> = world.agents();
+        let constraints: Vec<Value> = kinds.iter().map(|kind| world.rule(kind)).collect();
+        if constraints.iter().any(Value::is_null) {
+            continue;
+        }
+        let mut costs = vec!["makespan", "sum-of-costs", "charges", "moves", "waits"];
+        costs.shuffle(world.random);
+        costs.truncate(world.random.random_range(1..=3));
+        if world.random.random_bool(0.2) {
+            let place = world.random.random_range(0..=costs.len());
+            costs.insert(place, "penalty");
+        }
+        let rules = json!({
+            "at_goal": if vanish { "vanish" } else { "stay" },
+            "battery_floor": u32::from(world.random.random_bool(0.15)),
+        });
+        return json!({
+            "giveway": 1, "name": format!("rules {seed}-{number}"), "map": rows, "rules": rules,
+            "objective": costs, "agents": agents, "zones": world.zones, "constraints": constraints,
+        });
+    }
+}
+
+struct World<'r> {
+    random: &'r mut ChaCha8Rng,
+    free: Vec<Spot>,
+    agents: usize,
+    zones: Vec<Value>,
+}
+
+impl World<'_> {
+    fn cell(&mut self) -> Spot {
+        *self.free.choose(self.random).unwrap()
+    }
+
+    fn agents(&mut self) -> Vec<Value> {
+        let mut starts = self.free.clone();
+        starts.shuffle(self.random);
+        let mut goals = self.free.clone();
+        goals.shuffle(self.random);
+        let mut agents = Vec::new();
+        for i in 0..self.agents {
+            let mut agent = json!({ "name": format!("A{i}"), "start": starts[i], "goal": goals[i] });
+            if self.random.random_bool(0.25) {
+                agent["waypoints"] = json!([self.cell()]);
+            }
+            if self.random.random_bool(0.25) {
+                let capacity = self.random.random_range(4..=9);
+                let initial = self.random.random_range(capacity / 2..=capacity);
+                agent["battery"] = json!({ "capacity": capacity, "initial": initial });
+            }
+            if self.random.random_bool(0.5) {
+                let headings = ["north", "east", "south", "west"];
+                agent["heading"] = json!(headings.choose(self.random));
+            }
+            agents.push(agent);
+        }
+        agents
+    }
+
+    fn zone(&mut self) -> Value {
+        let count = self.random.random_range(1..=self.free.len().min(4));
+        let mut cells = self.free.clone();
+        cells.shuffle(self.random);
+        cells.truncate(count);
+        let name = format!("zone {}", self.zones.len());
+        self.zones.push(json!({ "name": name, "cells": cells }));
+        json!(name)
+    }
+
+    fn times(&mut self, rule: &mut Value) {
+        let from = self.random.random_range(0..=5);
+        match self.random.random_range(0..4) {
+            0 => rule["from"] = json!(from),
+            1 => rule["to"] = json!(from),
+            2 => {
+                rule["from"] = json!(from);
+                rule["to"] = json!(from + self.random.random_range(0..=4));
+            }
+            _ => {}
+        }
+    }
+
+    fn at(&mut self) -> Value {
+        let agent = self.random.random_range(0..self.agents);
+        json!({ "agent": format!("A{agent}"), "cell": self.cell() })
+    }
+
+    /// A rule of a kind; `null` where the map has none.
+    fn rule(&mut self, kind: &str) -> Value {
+        let mut rule = json!({ "kind": kind });
+        match kind {
+            "capacity" => {
+                rule["zone"] = self.zone();
+                rule["most"] = json!(self.random.random_range(0..=2));
+                self.times(&mut rule);
+            }
+            "closed" => {
+                rule["zone"] = self.zone();
+                self.times(&mut rule);
+            }
+            "one-way" => {
+                let mut lane = vec![self.cell()];
+                for _ in 0..self.random.random_range(1..=3) {
+                    let (x, y) = lane[lane.len() - 1];
+                    let next = |&&(a, b): &&Spot| a.abs_diff(x) + b.abs_diff(y) == 1;
+                    let next: Vec<&Spot> = self.free.iter().filter(next).collect();
+                    let next = next.into_iter().filter(|spot| !lane.contains(spot));
+                    let next: Vec<&Spot> = next.collect();
+                    let Some(&&next) = next.choose(self.random) else { break };
+                    lane.push(next);
+                }
+                if lane.len() < 2 {
+                    return Value::Null;
+                }
+                rule["lane"] = json!(lane);
+            }
+            "gap" => rule["steps"] = json!(self.random.random_range(1..=3)),
+            "apart" => {
+                rule["distance"] = json!(self.random.random_range(2..=3));
+                self.times(&mut rule);
+            }
+            "sequence" => {
+                let cells = (0..self.random.random_range(1..=3)).map(|_| self.cell());
+                let cells: Vec<Spot> = cells.collect();
+                rule["cells"] = json!(cells);
+                rule["agent"] = json!(format!("A{}", self.random.random_range(0..self.agents)));
+                return rule;
+            }
+            "visit" => {
+                rule["cell"] = json!(self.cell());
+                let stay = self.random.random_range(0..=2);
+                rule["stay"] = json!(stay);
+                self.times(&mut rule);
+                if let Some(to) = rule["to"].as_u64() {
+                    rule["to"] = json!(to + stay + 2);
+                }
+            }
+            "arrive" => {
+                let by = self.random.random_range(2..=9);
+                if self.random.random_bool(0.6) {
+                    rule["from"] = json!(self.random.random_range(0..=by));
+                }
+                if rule["from"].is_null() || self.random.random_bool(0.4) {
+                    rule["by"] = json!(by);
+                }
+            }
+            "late" => {
+                rule["kind"] = json!("arrive");
+                rule["by"] = json!(self.random.random_range(0..=5));
+                rule["weight"] = json!(self.random.random_range(1..=5));
+            }
+            "depart" => rule["from"] = json!(self.random.random_range(0..=4)),
+            "before" => {
+                rule["first"] = self.at();
+                rule["second"] = self.at();
+                return rule;
+            }
+            "no-waiting" => {
+                rule["zone"] = self.zone();
+                rule["most"] = json!(self.random.random_range(0..=2));
+            }
+            "turns" => rule["quarter"] = json!(self.random.random_range(1..=2)),
+            _ => {
+                rule["zone"] = self.zone();
+                rule["weight"] = json!(self.random.random_range(1..=5));
+            }
+        }
+        if self.random.random_bool(0.4) {
+            let mut names: Vec<String> = (0..self.agents).map(|i| format!("A{i}")).collect();
+            names.shuffle(self.random);
+            names.truncate(self.random.random_range(1..=self.agents));
+            rule["agents"] = json!(names);
+        }
+        rule
+    }
+}

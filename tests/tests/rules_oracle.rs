@@ -1,0 +1,165 @@
+//! Rules of a scene's own: the solver against an exhaustive search of joint states, and
+//! against scenes whose optima were found elsewhere.
+//!
+//! `GIVEWAY_RULE_SCENES` sets how many random scenes each test compares. The long run:
+//!
+//! ```text
+//! GIVEWAY_RULE_SCENES=50000 cargo test --release -p giveway-tests --test rules_oracle
+//! ```
+
+use std::fs;
+use std::path::Path;
+
+use giveway_model::check::check;
+use giveway_model::format::native;
+use giveway_model::{Cost, Instance, Objective};
+use giveway_solve::{Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
+use giveway_tests::environment;
+use giveway_tests::rules_oracle::{Answer, RuleScene, best};
+use giveway_tests::rules_random::{KINDS, scene_with_rules};
+use serde_json::Value;
+
+/// Joint states that the oracle looks at.
+const MOST_STATES: usize = 30_000;
+
+fn solve(instance: &Instance, within: Option<u32>) -> SolveAnswer {
+    let request = Request::Solve(SolveRequest {
+        scene: instance.to_scene(),
+        within,
+        limits: Limits {
+            work: Some(20_000_000),
+            ..Limits::default()
+        },
+        ..SolveRequest::default()
+    });
+    match serve(&request, &SilentHost) {
+        Response::Solved(answer) => answer,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The costs of an answer, in the order of the objective in force.
+fn vector(instance: &Instance, answer: &SolveAnswer) -> Vec<i64> {
+    let objective = instance.in_force(instance.objective().clone());
+    let costs = answer.costs.unwrap().vector(&objective);
+    costs.into_iter().map(i64::from).collect()
+}
+
+/// Compares one scene; whether the oracle came to an end.
+fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
+    let instance = native::read_instance(text).unwrap_or_else(|faults| panic!("{what}: {faults:?}\n{text}"));
+    let scene = RuleScene::read(text, &[]);
+    let expected = best(&scene, within.map(i64::from), MOST_STATES);
+    let answer = solve(&instance, within);
+    if let Some(plan) = &answer.plan {
+        let report = check(&instance, plan);
+        assert!(report.is_valid(), "{what}: {:?}\n{text}", report.violations);
+    }
+    match expected {
+        Answer::Capped => None,
+        Answer::Best(costs) => {
+            assert_eq!(answer.status, Status::Optimal, "{what}: {costs:?} {:?}\n{text}", answer.reason);
+            assert_eq!(vector(&instance, &answer), costs, "{what}\n{text}");
+            Some(true)
+        }
+        Answer::Impossible => {
+            assert_eq!(answer.status, Status::Impossible, "{what}\n{text}");
+            Some(false)
+        }
+    }
+}
+
+/// Compares so many scenes with the rules of some kinds; how many have a plan, have none,
+/// and were too large.
+fn compare_all(scenes: u64, kinds: impl Fn(u64) -> Vec<&'static str>) -> [u32; 3] {
+    let mut counts = [0; 3];
+    for number in 0..scenes {
+        let kinds = kinds(number);
+        let scene = scene_with_rules(31, number, &kinds);
+        let within = (number % 7 == 0).then_some(number as u32 % 9);
+        let what = format!("scene {number}, {kinds:?}, within {within:?}");
+        let found = compare(&scene.to_string(), within, &what);
+        counts[found.map_or(2, |found| usize::from(!found))] += 1;
+    }
+    counts
+}
+
+/// How many scenes the usual run compares.
+fn scenes(usual: u64) -> u64 {
+    environment::number("GIVEWAY_RULE_SCENES", usual)
+}
+
+#[test]
+fn each_kind_alone_has_the_optimum_of_the_oracle() {
+    let [plans, none, _] = compare_all(scenes(700), |number| vec![KINDS[number as usize % KINDS.len()]]);
+    assert!(plans > 300 && none > 30, "{plans} with a plan, {none} without");
+}
+
+#[test]
+fn two_kinds_together_have_the_optimum_of_the_oracle() {
+    let pair = |number: u64| {
+        let (i, k) = (number as usize % KINDS.len(), number as usize / KINDS.len() % KINDS.len());
+        vec![KINDS[i], KINDS[k]]
+    };
+    let [plans, none, _] = compare_all(scenes(1300), pair);
+    assert!(plans > 500 && none > 100, "{plans} with a plan, {none} without");
+}
+
+#[test]
+fn scenes_with_known_answers_have_these() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/rules");
+    let mut seen = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let known: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        let what = path.display().to_string();
+        let text = known["instance"].to_string();
+        let instance = native::read_instance(&text).unwrap();
+        seen += 1;
+        if known["status"] == "broken" {
+            broken(&known, &instance, &what);
+            continue;
+        }
+        let answer = solve(&instance, None);
+        assert_eq!(word(answer.status), known["status"], "{what}");
+        assert_eq!(answer.reach.is_complete(), known["complete"] == true, "{what}");
+        if let Some(costs) = answer.costs {
+            let objective: Objective = instance.in_force(instance.objective().clone());
+            for &cost in objective.costs() {
+                assert_eq!(known["costs"][cost.name()], costs.get(cost), "{what}: {cost}");
+            }
+        }
+    }
+    assert_eq!(seen, 75);
+}
+
+fn word(status: Status) -> Value {
+    serde_json::to_value(status).unwrap()
+}
+
+/// A plan that breaks one rule: each time at which it does is told.
+fn broken(known: &Value, instance: &Instance, what: &str) {
+    let by_name = |lists: &Value| -> Value {
+        let agents = instance.agents().iter().zip(lists.as_array().unwrap());
+        agents.map(|(agent, list)| (agent.name.clone(), list.clone())).collect()
+    };
+    let plan = serde_json::json!({
+        "giveway": 1,
+        "paths": by_name(&known["plan"]["paths"]),
+        "charges": by_name(&known["plan"]["charges"]),
+    });
+    let plan = native::read_plan(&plan.to_string()).unwrap();
+    let report = check(instance, &plan);
+    let told = report.violations.iter().map(|it| {
+        let broken = it.broken.as_ref().unwrap();
+        serde_json::json!([it.time, broken.kind, broken.name, it.agents, broken.cells])
+    });
+    let told: Vec<Value> = told.collect();
+    let expected = known["violations"].as_array().unwrap().iter();
+    let expected = expected.map(|it| {
+        serde_json::json!([it["time"], it["rule"], it["name"], it["agents"], it["cells"]])
+    });
+    assert_eq!(told, expected.collect::<Vec<Value>>(), "{what}");
+    let costs = report.costs.unwrap();
+    assert_eq!(known["costs"]["penalty"], costs.get(Cost::Penalty), "{what}");
+}
