@@ -10,8 +10,20 @@ use crate::random::numbers;
 
 /// The kinds of rules; the last costs late steps.
 pub const KINDS: [&str; 14] = [
-    "capacity", "closed", "one-way", "gap", "apart", "sequence", "visit", "arrive", "depart",
-    "before", "no-waiting", "turns", "avoid", "late",
+    "capacity",
+    "closed",
+    "one-way",
+    "gap",
+    "apart",
+    "sequence",
+    "visit",
+    "arrive",
+    "depart",
+    "before",
+    "no-waiting",
+    "turns",
+    "avoid",
+    "late",
 ];
 
 type Spot = (usize, usize);
@@ -21,7 +33,9 @@ pub fn scene_with_rules(seed: u64, number: u64, kinds: &[&str]) -> Value {
     let random = &mut numbers(seed, number);
     loop {
         let agents = *[2, 2, 3].choose(random).unwrap();
-        let (width, height) = *[(3, 2), (3, 3), (4, 2), (5, 1), (4, 3), (2, 4)].choose(random).unwrap();
+        let (width, height) = *[(3, 2), (3, 3), (4, 2), (5, 1), (4, 3), (2, 4)]
+            .choose(random)
+            .unwrap();
         let vanish = random.random_bool(0.3);
         let (wall, slow, charger) = (
             *[0.0, 0.1, 0.2].choose(random).unwrap(),
@@ -95,7 +109,8 @@ impl World<'_> {
         goals.shuffle(self.random);
         let mut agents = Vec::new();
         for i in 0..self.agents {
-            let mut agent = json!({ "name": format!("A{i}"), "start": starts[i], "goal": goals[i] });
+            let mut agent =
+                json!({ "name": format!("A{i}"), "start": starts[i], "goal": goals[i] });
             if self.random.random_bool(0.25) {
                 agent["waypoints"] = json!([self.cell()]);
             }
@@ -162,7 +177,9 @@ impl World<'_> {
                     let next: Vec<&Spot> = self.free.iter().filter(next).collect();
                     let next = next.into_iter().filter(|spot| !lane.contains(spot));
                     let next: Vec<&Spot> = next.collect();
-                    let Some(&&next) = next.choose(self.random) else { break };
+                    let Some(&&next) = next.choose(self.random) else {
+                        break;
+                    };
                     lane.push(next);
                 }
                 if lane.len() < 2 {

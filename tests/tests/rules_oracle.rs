@@ -13,7 +13,10 @@ use std::path::Path;
 use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Objective};
-use giveway_solve::{Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
+use giveway_solve::{
+    Limits, PlanEnd, PlanRequest, Planner, Reason, Request, Response, SilentHost, SolveAnswer,
+    SolveRequest, Status, serve,
+};
 use giveway_tests::environment;
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
 use giveway_tests::rules_random::{KINDS, scene_with_rules};
@@ -32,10 +35,50 @@ fn solve(instance: &Instance, within: Option<u32>) -> SolveAnswer {
         },
         ..SolveRequest::default()
     });
-    match serve(&request, &SilentHost) {
-        Response::Solved(answer) => answer,
-        other => panic!("{other:?}"),
+    let Response::Solved(answer) = serve(&request, &SilentHost) else {
+        unreachable!("a solve request is solved")
+    };
+    answer
+}
+
+/// Plans with the planners that keep rules: what they find is legal, and what CBS proves
+/// is the optimum.
+fn plan(instance: &Instance, costs: Option<&[i64]>, what: &str) -> u32 {
+    let mut found = 0;
+    for planner in [Planner::Prioritised, Planner::Lns, Planner::Cbs] {
+        let mut request = PlanRequest::new(instance.to_scene(), planner);
+        request.limits.work = Some(200_000);
+        let Response::Planned(answer) = serve(&Request::Plan(request), &SilentHost) else {
+            unreachable!("a plan request is planned")
+        };
+        if let Some(plan) = &answer.plan {
+            let report = check(instance, plan);
+            assert!(
+                report.is_valid(),
+                "{what}, {planner}: {:?}",
+                report.violations
+            );
+            assert!(costs.is_some(), "{what}, {planner}: there is no plan");
+            found += 1;
+        }
+        match answer.ended {
+            PlanEnd::Best { reach } if reach.is_complete() => {
+                let first = answer.objective.costs()[0];
+                let value = answer.costs.unwrap().get(first);
+                assert_eq!(
+                    costs.map(|costs| costs[0]),
+                    Some(i64::from(value)),
+                    "{what}"
+                );
+            }
+            PlanEnd::Alone { .. } => assert_eq!(costs, None, "{what}, {planner}"),
+            PlanEnd::Stopped { reason } => {
+                assert_ne!(reason, Reason::Contradiction, "{what}, {planner}");
+            }
+            _ => {}
+        }
     }
+    found
 }
 
 /// The costs of an answer, in the order of the objective in force.
@@ -47,7 +90,8 @@ fn vector(instance: &Instance, answer: &SolveAnswer) -> Vec<i64> {
 
 /// Compares one scene; whether the oracle came to an end.
 fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
-    let instance = native::read_instance(text).unwrap_or_else(|faults| panic!("{what}: {faults:?}\n{text}"));
+    let instance =
+        native::read_instance(text).unwrap_or_else(|faults| panic!("{what}: {faults:?}\n{text}"));
     let scene = RuleScene::read(text, &[]);
     let expected = best(&scene, within.map(i64::from), MOST_STATES);
     let answer = solve(&instance, within);
@@ -55,10 +99,23 @@ fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
         let report = check(&instance, plan);
         assert!(report.is_valid(), "{what}: {:?}\n{text}", report.violations);
     }
+    let costs = match &expected {
+        Answer::Best(costs) => Some(costs.as_slice()),
+        Answer::Impossible => None,
+        Answer::Capped => return None,
+    };
+    if within.is_none() && what.len() % 3 == 0 {
+        plan(&instance, costs, what);
+    }
     match expected {
         Answer::Capped => None,
         Answer::Best(costs) => {
-            assert_eq!(answer.status, Status::Optimal, "{what}: {costs:?} {:?}\n{text}", answer.reason);
+            assert_eq!(
+                answer.status,
+                Status::Optimal,
+                "{what}: {costs:?} {:?}\n{text}",
+                answer.reason
+            );
             assert_eq!(vector(&instance, &answer), costs, "{what}\n{text}");
             Some(true)
         }
@@ -67,6 +124,24 @@ fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
             Some(false)
         }
     }
+}
+
+#[test]
+fn what_does_not_heed_rules_refuses_them() {
+    let mut scene = scene_with_rules(31, 3, &["gap"]);
+    let refuses = |scene: &Value| {
+        let instance = native::read_instance(&scene.to_string()).unwrap();
+        let request = ExplainRequest {
+            scene: instance.to_scene(),
+            ..ExplainRequest::default()
+        };
+        let refused = serve(&Request::Explain(Box::new(request)), &SilentHost);
+        matches!(refused, Response::Refused(Refusal::Scene { faults })
+            if faults[0].place == "constraints[0]")
+    };
+    assert!(refuses(&scene));
+    scene["constraints"][0]["off"] = Value::Bool(true);
+    assert!(!refuses(&scene));
 }
 
 /// Compares so many scenes with the rules of some kinds; how many have a plan, have none,
@@ -91,18 +166,29 @@ fn scenes(usual: u64) -> u64 {
 
 #[test]
 fn each_kind_alone_has_the_optimum_of_the_oracle() {
-    let [plans, none, _] = compare_all(scenes(700), |number| vec![KINDS[number as usize % KINDS.len()]]);
-    assert!(plans > 300 && none > 30, "{plans} with a plan, {none} without");
+    let [plans, none, _] = compare_all(scenes(700), |number| {
+        vec![KINDS[number as usize % KINDS.len()]]
+    });
+    assert!(
+        plans > 300 && none > 30,
+        "{plans} with a plan, {none} without"
+    );
 }
 
 #[test]
 fn two_kinds_together_have_the_optimum_of_the_oracle() {
     let pair = |number: u64| {
-        let (i, k) = (number as usize % KINDS.len(), number as usize / KINDS.len() % KINDS.len());
+        let (i, k) = (
+            number as usize % KINDS.len(),
+            number as usize / KINDS.len() % KINDS.len(),
+        );
         vec![KINDS[i], KINDS[k]]
     };
     let [plans, none, _] = compare_all(scenes(1300), pair);
-    assert!(plans > 500 && none > 100, "{plans} with a plan, {none} without");
+    assert!(
+        plans > 500 && none > 100,
+        "{plans} with a plan, {none} without"
+    );
 }
 
 #[test]
@@ -122,11 +208,19 @@ fn scenes_with_known_answers_have_these() {
         }
         let answer = solve(&instance, None);
         assert_eq!(word(answer.status), known["status"], "{what}");
-        assert_eq!(answer.reach.is_complete(), known["complete"] == true, "{what}");
+        assert_eq!(
+            answer.reach.is_complete(),
+            known["complete"] == true,
+            "{what}"
+        );
         if let Some(costs) = answer.costs {
             let objective: Objective = instance.in_force(instance.objective().clone());
             for &cost in objective.costs() {
-                assert_eq!(known["costs"][cost.name()], costs.get(cost), "{what}: {cost}");
+                assert_eq!(
+                    known["costs"][cost.name()],
+                    costs.get(cost),
+                    "{what}: {cost}"
+                );
             }
         }
     }
@@ -141,7 +235,9 @@ fn word(status: Status) -> Value {
 fn broken(known: &Value, instance: &Instance, what: &str) {
     let by_name = |lists: &Value| -> Value {
         let agents = instance.agents().iter().zip(lists.as_array().unwrap());
-        agents.map(|(agent, list)| (agent.name.clone(), list.clone())).collect()
+        agents
+            .map(|(agent, list)| (agent.name.clone(), list.clone()))
+            .collect()
     };
     let plan = serde_json::json!({
         "giveway": 1,
@@ -157,9 +253,19 @@ fn broken(known: &Value, instance: &Instance, what: &str) {
     let told: Vec<Value> = told.collect();
     let expected = known["violations"].as_array().unwrap().iter();
     let expected = expected.map(|it| {
-        serde_json::json!([it["time"], it["rule"], it["name"], it["agents"], it["cells"]])
+        serde_json::json!([
+            it["time"],
+            it["rule"],
+            it["name"],
+            it["agents"],
+            it["cells"]
+        ])
     });
     assert_eq!(told, expected.collect::<Vec<Value>>(), "{what}");
     let costs = report.costs.unwrap();
-    assert_eq!(known["costs"]["penalty"], costs.get(Cost::Penalty), "{what}");
+    assert_eq!(
+        known["costs"]["penalty"],
+        costs.get(Cost::Penalty),
+        "{what}"
+    );
 }

@@ -29,6 +29,12 @@ pub enum Part {
     Names,
     /// Obstacles that move.
     Moving,
+    /// Named parts of the map.
+    Zones,
+    /// Rules of the scene's own.
+    Constraints,
+    /// Directions in which agents face at first.
+    Headings,
     /// The times at which agents charge.
     Charges,
     /// Agents that join later than at time 0: they wait where they enter.
@@ -68,6 +74,9 @@ impl fmt::Display for Loss {
             Part::Objective => f.write_str("the objective"),
             Part::Names => write!(f, "the names of {}", robots()),
             Part::Moving => f.write_str(&count(self.count, "moving obstacle")),
+            Part::Zones => f.write_str(&count(self.count, "zone")),
+            Part::Constraints => write!(f, "{} of the scene's own", count(self.count, "rule")),
+            Part::Headings => write!(f, "where {} face at first", robots()),
             Part::Charges => write!(f, "the charges of {}", robots()),
             Part::Joining => write!(f, "the later entry of {}", robots()),
             Part::Removal => write!(f, "the removal of {}", robots()),
@@ -89,7 +98,7 @@ pub fn losses(holds: &[Part], instance: Option<&Instance>, plan: Option<&Plan>) 
 }
 
 /// How much an instance has of each part.
-fn instance_parts(instance: &Instance) -> [(Part, usize); 9] {
+fn instance_parts(instance: &Instance) -> [(Part, usize); 12] {
     let cells = |is: fn(Ground) -> bool| {
         let grounds = instance.grid().cells().map(|(_, ground)| ground);
         grounds.filter(|&ground| is(ground)).count()
@@ -117,6 +126,9 @@ fn instance_parts(instance: &Instance) -> [(Part, usize); 9] {
             Part::Moving,
             instance.assumptions().iter().filter(is_moving).count(),
         ),
+        (Part::Zones, instance.zones().len()),
+        (Part::Constraints, instance.constraints().len()),
+        (Part::Headings, agents(|_, it| it.heading.is_some())),
     ]
 }
 

@@ -3,8 +3,8 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-use crate::constraint::Heading;
 use crate::Cell;
+use crate::constraint::Heading;
 use crate::object::null_is_default;
 use crate::object_only;
 

@@ -36,7 +36,10 @@ pub fn without(objective: &Objective, cost: Cost) -> Objective {
 /// The costs that are not in it.
 pub fn others(objective: &Objective) -> Vec<Cost> {
     let is_in = |cost: &Cost| objective.costs().contains(cost);
-    Cost::USUAL.into_iter().filter(|cost| !is_in(cost)).collect()
+    Cost::USUAL
+        .into_iter()
+        .filter(|cost| !is_in(cost))
+        .collect()
 }
 
 fn swapped(objective: &Objective, cost: Cost, to: impl Fn(usize) -> Option<usize>) -> Objective {

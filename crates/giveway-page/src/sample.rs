@@ -78,6 +78,7 @@ pub(crate) fn solved() -> State {
         charges: 3,
         moves: 30,
         waits: 0,
+        penalty: 0,
     };
     let objective = state.document.draft.scene().objective.clone();
     let response = Box::new(Response::Solved(proved(&objective, costs, plan())));

@@ -32,6 +32,8 @@ pub enum Unsupported {
     SlowZones,
     /// Some rules between agents do not count.
     Relaxed,
+    /// The scene has rules of its own.
+    Rules,
 }
 
 /// A plain problem. It is only made from a problem that has nothing else.
@@ -52,6 +54,9 @@ impl<'p> Plain<'p> {
     pub fn new(problem: &'p Problem) -> Result<Self, Unsupported> {
         if problem.relaxed != Relaxed::default() {
             return Err(Unsupported::Relaxed);
+        }
+        if problem.is_constrained {
+            return Err(Unsupported::Rules);
         }
         for (agent, task) in problem.tasks.iter().enumerate() {
             check(agent, task)?;

@@ -48,6 +48,8 @@ pub struct Problem {
     /// The earliest arrival of each agent alone; a lower bound of it where conditions are about
     /// very late times (see [`earliest`]).
     pub optima: Vec<u32>,
+    /// Whether rules of the scene's own are in force.
+    pub is_constrained: bool,
     /// Rules of the scene's own between agents.
     pub between: Between,
     /// Which agents must be at a vertex before others.
@@ -113,6 +115,7 @@ impl Problem {
             tasks: Vec::new(),
             cost_to_go: Vec::new(),
             optima: Vec::new(),
+            is_constrained: instance.is_constrained(),
             between: Between::default(),
             precedences: Vec::new(),
             longest: 0,

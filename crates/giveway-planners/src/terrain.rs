@@ -106,7 +106,10 @@ impl Terrain {
     /// The last cell of the map.
     pub fn last_cell(&self) -> Cell {
         let rows = self.vertices.len() / (self.width as usize).max(1);
-        Cell::new(self.width.saturating_sub(1), (rows as u32).saturating_sub(1))
+        Cell::new(
+            self.width.saturating_sub(1),
+            (rows as u32).saturating_sub(1),
+        )
     }
 
     /// The arcs that leave a vertex; none leave what is no vertex any more.

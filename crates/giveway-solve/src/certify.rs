@@ -114,6 +114,7 @@ impl CertifyRequest {
     /// What is wrong with the scene.
     pub(crate) fn instance(&self) -> Result<Instance, Refusal> {
         crate::assumed::refuse_moving(&self.scene)?;
+        crate::assumed::refuse_constrained(&self.scene)?;
         let instance = Instance::new(self.scene.clone());
         let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
         Ok(match &self.objective {

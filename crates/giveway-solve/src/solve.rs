@@ -38,8 +38,7 @@ impl<'h> SolveTask<'h> {
         host: &'h dyn Host,
     ) -> Self {
         Self {
-            objective: instance
-                .in_force(objective.unwrap_or_else(|| instance.objective().clone())),
+            objective: instance.in_force(objective.unwrap_or_else(|| instance.objective().clone())),
             instance,
             within,
             start: None,

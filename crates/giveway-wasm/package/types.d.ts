@@ -1,7 +1,10 @@
 /** A cell [x, y], from [0, 0] at the top left, y down. */
 export type Cell = [number, number];
 
-export type Cost = "makespan" | "sum-of-costs" | "charges" | "moves" | "waits";
+export type Cost = "makespan" | "sum-of-costs" | "charges" | "moves" | "waits" | "penalty";
+
+/** The costs of a plan; a penalty only where rules of the scene make one. */
+export type Costs = Record<Exclude<Cost, "penalty">, number> & { penalty?: number };
 
 export interface Agent {
   /** Unique and not empty. */
@@ -13,7 +16,35 @@ export interface Agent {
   waypoints?: Cell[] | null;
   /** In time steps; unlimited where left out or null. */
   battery?: { capacity: number; initial: number } | null;
+  /** Where it faces at first, which matters where turns take time. */
+  heading?: Heading | null;
 }
+
+export type Heading = "north" | "east" | "south" | "west";
+
+/** A named part of the map: its cells, or a rectangle of first and last column and row. */
+export type Zone = { name: string; cells: Cell[] } | { name: string; rect: [number, number, number, number] };
+
+/** A rule of the scene's own. Times are included; left out, they are from 0 and for ever. */
+export type Constraint = { name?: string; off?: boolean } & (
+  | { kind: "sequence"; agent: string; cells: Cell[] }
+  | { kind: "before"; first: { agent: string; cell: Cell }; second: { agent: string; cell: Cell } }
+  | ({ agents?: string[] } & (
+      | { kind: "capacity"; zone: string; most: number; from?: number; to?: number }
+      | { kind: "closed"; zone: string; from?: number; to?: number }
+      | { kind: "one-way"; lane: Cell[] }
+      | { kind: "gap"; steps: number }
+      | { kind: "apart"; distance: number; from?: number; to?: number }
+      | { kind: "visit"; cell: Cell; stay?: number; from?: number; to?: number }
+      | { kind: "arrive"; by?: number; from?: number }
+      /** Each step late costs so much. */
+      | { kind: "arrive"; by: number; weight: number }
+      | { kind: "depart"; from: number }
+      | { kind: "no-waiting"; zone: string; most?: number }
+      | { kind: "turns"; quarter: number }
+      | { kind: "avoid"; zone: string; weight: number }
+    ))
+);
 
 /** An instance of the problem. */
 export interface Scene {
@@ -28,6 +59,10 @@ export interface Scene {
   agents: Agent[];
   /** What the scene takes for granted, where it was read from a file of another maker. */
   assumptions?: Assumption[];
+  /** Named parts of the map. */
+  zones?: Zone[] | null;
+  /** Rules of its own, which every plan must keep. */
+  constraints?: Constraint[] | null;
 }
 
 /** Something that a scene takes for granted: whatever is said of it is said under that. */
@@ -96,7 +131,7 @@ export interface CheckRequest {
 export type Progress =
   | { event: "bound"; cost: Cost; at_least: number }
   /** The best plan so far; it may be handed in again as `start`. */
-  | { event: "plan"; costs: Record<Cost, number>; plan: Plan }
+  | { event: "plan"; costs: Costs; plan: Plan }
   | { event: "size"; variables: number; clauses: number; conflicts: number }
   | { event: "explained"; answer: ExplainAnswer }
   /** What a trace has more of by now. */
@@ -133,7 +168,7 @@ export type Ended = "proof" | "work" | "conflicts" | "time" | "memory" | "cancel
 export interface SolveAnswer {
   giveway: 1;
   status: Status;
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   /** The proved lower bound of each cost reached so far. */
   bounds: Partial<Record<Cost, number>>;
   /** The makespan up to which the claim was proved; null where it holds for plans of any makespan. */
@@ -169,7 +204,7 @@ export type TraceEvent = {
   | { event: "alone"; cost: Cost; agents: AgentLeast[]; at_least: number }
   | {
     event: "plan";
-    costs: Record<Cost, number>;
+    costs: Costs;
     by: "given" | "alone" | "prioritised" | "lacam" | "repair" | "lns" | "solver" | "partly-solver" | "exhaustion";
   }
   /** The next cost, given those before it. */
@@ -182,7 +217,7 @@ export type TraceEvent = {
   | { event: "restarted"; why: "more-time" | "horizon" }
   | { event: "met"; costs: Partial<Record<Cost, number>>; within: number | null }
   | { event: "impossible"; agents: string[]; within: number | null }
-  | { event: "stopped"; reason: string; costs: Record<Cost, number> | null; bounds: Partial<Record<Cost, number>> }
+  | { event: "stopped"; reason: string; costs: Costs | null; bounds: Partial<Record<Cost, number>> }
 );
 
 /** Limits that no plan keeps all at once, so that the bound rises. */
@@ -268,8 +303,13 @@ export interface FrontAnswer {
 export interface Violation {
   rule:
     | "shape" | "start" | "goal" | "waypoint" | "move" | "obstacle"
-    | "vertex" | "swap" | "slow-swap" | "battery" | "charge";
+    | "vertex" | "swap" | "slow-swap" | "battery" | "charge" | "constraint";
   agents: string[];
+  /** Of a rule of the scene's own: its kind, its number from 0, its name, and where. */
+  kind?: Constraint["kind"];
+  index?: number;
+  name?: string | null;
+  cells?: Cell[];
   cell?: Cell;
   /** From and to, as the first agent goes. */
   edge?: [Cell, Cell];
@@ -280,7 +320,7 @@ export interface Violation {
 export interface CheckAnswer {
   giveway: 1;
   valid: boolean;
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   violations: Violation[];
 }
 
@@ -367,7 +407,7 @@ export interface Repair {
   edits: Edit[];
   /** Whether its battery, floor or deadline is proved to be the least change that helps. */
   least: boolean;
-  costs: Record<Cost, number>;
+  costs: Costs;
   plan: Plan;
   text: string;
 }
@@ -381,7 +421,7 @@ export interface ExplainAnswer {
   plan?: Plan;
   verdict: Verdict;
   /** Of the other plan, as the alternative. */
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   deltas: Partial<Record<Cost, number>>;
   within: number | null;
   complete: boolean;
@@ -468,7 +508,7 @@ export interface MethodAnswer extends SolveAnswer {
 /** The changes of one time, and how to go on. */
 export interface ChangeStep {
   at: number | null;
-  before: Record<Cost, number> | null;
+  before: Costs | null;
   methods: Partial<Record<Method, MethodAnswer>>;
   adopted: Method | null;
 }
@@ -571,7 +611,7 @@ export interface AuditAnswer {
   violations: Violation[];
   objective: Cost[];
   /** Of the plan as it stands, legal or not; null where an agent has no path. */
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   /** No legal plan has less of the first cost, and none that is best in those before of a later one. */
   bounds: Partial<Record<Cost, number>>;
   /** The makespan up to which that was proved; null where it holds for plans of any makespan. */
@@ -583,7 +623,7 @@ export interface AuditAnswer {
   gap: number | null;
   /** A plan with lower costs; where the audited one is illegal, a legal one. */
   better: Plan | null;
-  better_costs: Record<Cost, number> | null;
+  better_costs: Costs | null;
   /** What is known of the best plan: `optimal` where `better`, or else the audited plan, is proved to be it. */
   search: Status;
   /** Why something is not known, or why there is no legal plan. */
@@ -659,7 +699,7 @@ export interface CriticalCell {
   cell: Cell;
   status: "optimal" | "impossible" | "unknown";
   /** Of the best plan without the cell. */
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   /** How much more it has of each cost of the objective. */
   deltas: Partial<Record<Cost, number>> | null;
   /** Who needs the very cell. */
@@ -683,7 +723,7 @@ export interface FreedomAnswer {
   objective: Cost[];
   /** Which plan it is about. */
   about: "given" | "found" | "better";
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   plan: Plan | null;
   backbone?: Record<string, Visit[]>;
   plans?: Counted & { ways: Record<string, Ways> };
@@ -723,7 +763,7 @@ export interface PlanAnswer {
   planner: Planner;
   objective: Cost[];
   ended: PlanEnd;
-  costs: Record<Cost, number> | null;
+  costs: Costs | null;
   /** No plan has less of the first cost; only CBS proves it. */
   bounds: Partial<Record<Cost, number>>;
   plan: Plan | null;
@@ -749,7 +789,8 @@ export type Lack =
   | { what: "no-goal" | "batteries" | "waypoints" | "many-waypoints"; agent: string }
   | { what: "shared-goals"; agents: [string, string] }
   | { what: "cost"; cost: Cost }
-  | { what: "slow-zones" | "questions" };
+  | { what: "slow-zones" | "questions" }
+  | { what: "rules"; rules: Constraint[] };
 
 export interface StuckAgent {
   agent: string;
@@ -828,7 +869,7 @@ export interface CompareRequest {
 /** Two plans of one scene. */
 export interface Comparison {
   giveway: 1;
-  costs: [Record<Cost, number> | null, Record<Cost, number> | null];
+  costs: [Costs | null, Costs | null];
   /** How much more the second one has. */
   deltas: Partial<Record<Cost, number>>;
   agents: {

@@ -47,7 +47,8 @@ const SIDES: [(i64, i64); 4] = [(0, -1), (1, 0), (0, 1), (-1, 0)];
 
 fn direction(from: Spot, to: Spot) -> i64 {
     let side = (to.0 - from.0, to.1 - from.1);
-    SIDES.iter().position(|other| *other == side).unwrap() as i64
+    let mut sides = (0..).zip(SIDES);
+    sides.find(|(_, other)| *other == side).unwrap().0
 }
 
 fn quarters(one: i64, other: i64) -> i64 {
@@ -56,7 +57,9 @@ fn quarters(one: i64, other: i64) -> i64 {
 
 impl RuleScene {
     pub(super) fn of(&self, agent: usize) -> impl Iterator<Item = &OracleRule> {
-        self.rules.iter().filter(move |rule| rule.agents.contains(&agent))
+        self.rules
+            .iter()
+            .filter(move |rule| rule.agents.contains(&agent))
     }
 
     /// The cell that it is at.
@@ -77,7 +80,9 @@ impl RuleScene {
     }
 
     fn is_in(&self, zone: &BTreeSet<Spot>, agent: usize, mind: &Mind) -> bool {
-        self.touches(agent, mind).iter().any(|spot| zone.contains(spot))
+        self.touches(agent, mind)
+            .iter()
+            .any(|spot| zone.contains(spot))
     }
 
     /// What an agent on its way pays for a time.
@@ -118,7 +123,8 @@ impl RuleScene {
         }
         let here = self.cell(agent, &mind);
         let task = &self.agents[agent];
-        mind.seen.extend(here.filter(|spot| task.waypoints.contains(spot)));
+        mind.seen
+            .extend(here.filter(|spot| task.waypoints.contains(spot)));
         let (mut sequence, mut visit) = (0, 0);
         for rule in self.of(agent) {
             match &rule.kind {
@@ -259,7 +265,9 @@ impl RuleScene {
                 let mut moved = next(place);
                 moved.level = level;
                 moved.stood = 0;
-                let turns = self.of(agent).any(|rule| matches!(rule.kind, Kind::Turns(_)));
+                let turns = self
+                    .of(agent)
+                    .any(|rule| matches!(rule.kind, Kind::Turns(_)));
                 moved.facing = turns.then(|| direction(here, there));
                 for to in self.be_there(agent, moved, time + 1, !is_slow) {
                     ways.push(Way {

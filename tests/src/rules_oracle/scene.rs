@@ -111,9 +111,9 @@ impl RuleScene {
     pub fn read(text: &str, off: &[usize]) -> Self {
         let json: Value = serde_json::from_str(text).unwrap();
         let mut cells: BTreeMap<Spot, char> = BTreeMap::new();
-        for (y, row) in json["map"].as_array().unwrap().iter().enumerate() {
-            for (x, c) in row.as_str().unwrap().chars().enumerate() {
-                cells.insert((x as i64, y as i64), c);
+        for (y, row) in (0..).zip(json["map"].as_array().unwrap()) {
+            for (x, c) in (0..).zip(row.as_str().unwrap().chars()) {
+                cells.insert((x, y), c);
             }
         }
         let of = |kinds: &str| -> BTreeSet<Spot> {
@@ -128,16 +128,17 @@ impl RuleScene {
             battery: agent["battery"]["capacity"]
                 .as_i64()
                 .map(|capacity| (capacity, agent["battery"]["initial"].as_i64().unwrap())),
-            heading: directions
-                .iter()
-                .position(|name| agent["heading"] == *name)
-                .map(|number| number as i64),
+            heading: (0..)
+                .zip(directions)
+                .find(|(_, name)| agent["heading"] == *name)
+                .map(|(number, _)| number),
         };
         let agents = json["agents"].as_array().unwrap();
         let names: Vec<&str> = agents.iter().map(|a| a["name"].as_str().unwrap()).collect();
         let zones = json["zones"].as_array().into_iter().flatten();
-        let zones: BTreeMap<&str, BTreeSet<Spot>> =
-            zones.map(|it| (it["name"].as_str().unwrap(), zone(it))).collect();
+        let zones: BTreeMap<&str, BTreeSet<Spot>> = zones
+            .map(|it| (it["name"].as_str().unwrap(), zone(it)))
+            .collect();
         let constraints = json["constraints"].as_array().into_iter().flatten();
         let in_force = constraints
             .enumerate()
@@ -145,7 +146,9 @@ impl RuleScene {
         let rules: Vec<OracleRule> = in_force.map(|(_, it)| rule(it, &names, &zones)).collect();
         let mut objective: Vec<String> = match json["objective"].as_array() {
             Some(costs) => costs.iter().map(|c| c.as_str().unwrap().into()).collect(),
-            None => ["makespan", "sum-of-costs", "charges"].map(String::from).into(),
+            None => ["makespan", "sum-of-costs", "charges"]
+                .map(String::from)
+                .into(),
         };
         let is_penalty = |rule: &OracleRule| matches!(rule.kind, Kind::Late(_) | Kind::Avoid(..));
         if rules.iter().any(is_penalty) && !objective.iter().any(|cost| cost == "penalty") {
@@ -169,6 +172,7 @@ impl RuleScene {
 fn rule(json: &Value, names: &[&str], zones: &BTreeMap<&str, BTreeSet<Spot>>) -> OracleRule {
     let number = |name: &Value| names.iter().position(|other| *name == **other).unwrap();
     let int = |key: &str| json[key].as_i64();
+    let count = |key: &str| usize::try_from(json[key].as_u64().unwrap()).unwrap();
     let zone = || zones[json["zone"].as_str().unwrap()].clone();
     let visit = |key: &str| (number(&json[key]["agent"]), spot(&json[key]["cell"]));
     let mut agents: Vec<usize> = match json["agents"].as_array() {
@@ -177,13 +181,13 @@ fn rule(json: &Value, names: &[&str], zones: &BTreeMap<&str, BTreeSet<Spot>>) ->
     };
     let (mut from, mut to) = (int("from").unwrap_or(0), int("to").unwrap_or(FOREVER));
     let kind = match json["kind"].as_str().unwrap() {
-        "capacity" => Kind::Capacity(zone(), int("most").unwrap() as usize),
+        "capacity" => Kind::Capacity(zone(), count("most")),
         "closed" => Kind::Closed(zone()),
         "one-way" => {
             let lane = spots(&json["lane"]);
             Kind::OneWay(lane.windows(2).map(|pair| (pair[1], pair[0])).collect())
         }
-        "gap" => Kind::Gap(int("steps").unwrap() as usize),
+        "gap" => Kind::Gap(count("steps")),
         "apart" => Kind::Apart(int("distance").unwrap()),
         "sequence" => {
             agents = vec![number(&json["agent"])];

@@ -23,8 +23,11 @@ pub enum Answer {
 struct Minds {
     all: Vec<Mind>,
     numbers: BTreeMap<Mind, u32>,
-    ways: BTreeMap<(u32, i64), Rc<Vec<(u32, Way)>>>,
+    ways: BTreeMap<(u32, i64), Ways>,
 }
+
+/// Steps, each with the number of the state that it leads to.
+type Ways = Rc<Vec<(u32, Way)>>;
 
 impl Minds {
     fn number(&mut self, mind: &Mind) -> u32 {
@@ -37,7 +40,7 @@ impl Minds {
         number
     }
 
-    fn ways(&mut self, scene: &RuleScene, agent: usize, key: (u32, i64)) -> Rc<Vec<(u32, Way)>> {
+    fn ways(&mut self, scene: &RuleScene, agent: usize, key: (u32, i64)) -> Ways {
         if let Some(ways) = self.ways.get(&key) {
             return Rc::clone(ways);
         }
@@ -70,7 +73,13 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
         open: BinaryHeap::new(),
     };
     let after = scene.last + 1;
-    let clip = |time: i64| if within.is_some() { time } else { time.min(after) };
+    let clip = |time: i64| {
+        if within.is_some() {
+            time
+        } else {
+            time.min(after)
+        }
+    };
     let mut starts: Vec<Vec<Mind>> = vec![Vec::new()];
     for agent in agents.clone() {
         let each = scene.begin(agent);
@@ -113,7 +122,8 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
 impl Search<'_> {
     fn minds(&self, numbers: &[u32]) -> Vec<Mind> {
         let each = self.minds.iter().zip(numbers);
-        each.map(|(minds, &number)| minds.all[number as usize].clone()).collect()
+        each.map(|(minds, &number)| minds.all[number as usize].clone())
+            .collect()
     }
 
     fn reach(&mut self, joint: Joint, costs: Vec<i64>, time: i64) {
@@ -131,25 +141,31 @@ impl Search<'_> {
         clip: impl Fn(i64) -> i64,
     ) {
         let is_live = |mind: &Mind| matches!(mind.place, Where::At(_) | Where::On(..));
-        let live = minds.iter().filter(|mind| is_live(mind)).count() as i64;
+        let live: i64 = minds.iter().map(|mind| i64::from(is_live(mind))).sum();
         if live == 0 {
             return;
         }
         let paid = minds.iter().enumerate().filter(|(_, mind)| is_live(mind));
-        let penalty: i64 = paid.map(|(a, mind)| self.scene.penalty(a, mind, time)).sum();
-        let ways: Vec<Rc<Vec<(u32, Way)>>> = (0..minds.len())
+        let penalty: i64 = paid
+            .map(|(a, mind)| self.scene.penalty(a, mind, time))
+            .sum();
+        let ways: Vec<Ways> = (0..minds.len())
             .map(|a| self.minds[a].ways(self.scene, a, (joint.0[a], clip(time))))
             .collect();
         let mut choices: Vec<Vec<usize>> = vec![Vec::new()];
         for each in &ways {
             let longer = |head: &Vec<usize>| -> Vec<Vec<usize>> {
-                (0..each.len()).map(|i| [head.clone(), vec![i]].concat()).collect()
+                (0..each.len())
+                    .map(|i| [head.clone(), vec![i]].concat())
+                    .collect()
             };
             choices = choices.iter().flat_map(longer).collect();
         }
         for choice in choices {
-            let taken: Vec<&(u32, Way)> = ways.iter().zip(&choice).map(|(all, &i)| &all[i]).collect();
-            let edges: BTreeSet<(Spot, Spot)> = taken.iter().filter_map(|(_, way)| way.edge).collect();
+            let taken: Vec<&(u32, Way)> =
+                ways.iter().zip(&choice).map(|(all, &i)| &all[i]).collect();
+            let edges: BTreeSet<(Spot, Spot)> =
+                taken.iter().filter_map(|(_, way)| way.edge).collect();
             if edges.iter().any(|&(from, to)| edges.contains(&(to, from))) {
                 continue;
             }
@@ -167,7 +183,10 @@ impl Search<'_> {
                 _ => penalty,
             };
             let objective = self.scene.objective.iter();
-            let costs: Vec<i64> = objective.zip(costs).map(|(cost, paid)| paid + more(cost)).collect();
+            let costs: Vec<i64> = objective
+                .zip(costs)
+                .map(|(cost, paid)| paid + more(cost))
+                .collect();
             let been = self.scene.been(&next, &joint.1);
             let numbers = taken.iter().map(|(number, _)| *number).collect();
             self.reach((numbers, been, clip(time + 1)), costs, time + 1);
@@ -192,18 +211,28 @@ impl RuleScene {
 
     /// Whether agents may be where they are at a time; `been` of the time before.
     fn may_be(&self, minds: &[&Mind], time: i64, been: &[bool]) -> bool {
-        let cells: Vec<Option<Spot>> = minds.iter().enumerate().map(|(a, m)| self.cell(a, m)).collect();
+        let cells: Vec<Option<Spot>> = minds
+            .iter()
+            .enumerate()
+            .map(|(a, m)| self.cell(a, m))
+            .collect();
         let held: Vec<Spot> = cells.iter().flatten().copied().collect();
         let apart: BTreeSet<Spot> = held.iter().copied().collect();
         let pairs = |agents: &[usize]| -> Vec<(usize, usize)> {
             let pair = |&a: &usize| agents.iter().map(move |&b| (a, b));
-            agents.iter().flat_map(pair).filter(|(a, b)| a != b).collect()
+            agents
+                .iter()
+                .flat_map(pair)
+                .filter(|(a, b)| a != b)
+                .collect()
         };
         apart.len() == held.len()
             && self.rules.iter().all(|rule| match &rule.kind {
                 Kind::Capacity(zone, most) if rule.is_about(time) => {
                     let inside = rule.agents.iter().filter(|&&a| {
-                        self.touches(a, minds[a]).iter().any(|spot| zone.contains(spot))
+                        self.touches(a, minds[a])
+                            .iter()
+                            .any(|spot| zone.contains(spot))
                     });
                     inside.count() <= *most
                 }
@@ -211,16 +240,26 @@ impl RuleScene {
                     pairs(&rule.agents).iter().all(|&(a, b)| {
                         self.touches(a, minds[a]).iter().all(|p| {
                             let others = self.touches(b, minds[b]);
-                            others.iter().all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
+                            others
+                                .iter()
+                                .all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
                         })
                     })
                 }
                 Kind::Gap(steps) => pairs(&rule.agents).iter().all(|&(a, b)| {
-                    cells[b].is_none() || !minds[a].past.iter().take(*steps).any(|past| *past == cells[b])
+                    cells[b].is_none()
+                        || !minds[a]
+                            .past
+                            .iter()
+                            .take(*steps)
+                            .any(|past| *past == cells[b])
                 }),
                 _ => true,
             })
-            && self.orders().zip(been).all(|((_, second), &been)| been || cells[second.0] != Some(second.1))
+            && self
+                .orders()
+                .zip(been)
+                .all(|((_, second), &been)| been || cells[second.0] != Some(second.1))
     }
 
     /// Whether all have arrived, and may rest for ever.

@@ -1,6 +1,6 @@
 //! What is said of the input beside an answer: it is part of the answer, in every format.
 
-use giveway_model::{Assumption, Instance, assumption};
+use giveway_model::{Assumption, Instance, assumption, constraint};
 use serde::Serialize;
 
 use super::plain;
@@ -30,6 +30,7 @@ impl Said {
     pub(crate) fn assume(&mut self, instance: &Instance) {
         self.assumptions = instance.assumptions().to_vec();
         self.add(assumption::sentences(instance.assumptions()));
+        self.add(constraint::sentences(instance.constraints()));
     }
 
     /// The sentences.

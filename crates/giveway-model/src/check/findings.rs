@@ -1,8 +1,8 @@
 //! The violations found so far, and their order.
 
 use super::{BrokenConstraint, MAX_VIOLATIONS, Rule, Violation, sentence};
-use crate::sorting::sort_by;
 use crate::constraint::InForce;
+use crate::sorting::sort_by;
 use crate::{Cell, Instance};
 
 /// Where a violation lies.
@@ -78,12 +78,12 @@ impl<'a> Findings<'a> {
             edge: None,
             time,
             message,
-            broken: Some(BrokenConstraint {
+            broken: Some(Box::new(BrokenConstraint {
                 kind: rule.constraint.kind_name().to_owned(),
                 index: rule.index as u32,
                 name: rule.constraint.name.clone(),
                 cells,
-            }),
+            })),
         };
         self.found.push((agents.to_vec(), violation));
     }

@@ -122,7 +122,7 @@ pub struct Violation {
     pub message: String,
     /// The rule of the scene's own, where it is one.
     #[serde(flatten, default, skip_serializing_if = "Option::is_none")]
-    pub broken: Option<BrokenConstraint>,
+    pub broken: Option<Box<BrokenConstraint>>,
 }
 
 /// The rule of a scene's own that is broken, and where.

@@ -249,7 +249,8 @@ impl Check<'_> {
 
     fn kind(&mut self, constraint: &Constraint) {
         match &constraint.kind {
-            ConstraintKind::Capacity { zone, most, .. } => {
+            ConstraintKind::Capacity { zone, most, .. }
+            | ConstraintKind::NoWaiting { zone, most } => {
                 self.zone(zone);
                 self.number("most", *most, 0);
             }
@@ -276,18 +277,14 @@ impl Check<'_> {
                     self.fault("stay", stay.to_string(), expected);
                 }
             }
-            ConstraintKind::Arrive { .. } => {}
+            // Their times are all that they have.
+            ConstraintKind::Arrive { .. } | ConstraintKind::Depart { .. } => {}
             ConstraintKind::Late { weight, .. } => self.number("weight", *weight, 1),
-            ConstraintKind::Depart { .. } => {}
             ConstraintKind::Before { first, second } => {
                 for (key, visit) in [("first", first), ("second", second)] {
                     self.agent(&format!("{key}.agent"), &visit.agent);
                     self.cell(&format!("{key}.cell"), visit.cell);
                 }
-            }
-            ConstraintKind::NoWaiting { zone, most } => {
-                self.zone(zone);
-                self.number("most", *most, 0);
             }
             ConstraintKind::Turns { quarter } => self.number("quarter", *quarter, 1),
             ConstraintKind::Avoid { zone, weight } => {

@@ -9,6 +9,7 @@
 //! | search | `rules` in giveway-planners | a part of the agents' tasks, or a rule between agents |
 //! | words | [`Constraint::sentence`] | a sentence |
 
+mod edited;
 mod faults;
 mod heading;
 mod words;
@@ -23,6 +24,7 @@ use crate::{Agent, Cell};
 
 pub(crate) use faults::find;
 pub use heading::Heading;
+pub use words::sentences;
 pub use zone::Zone;
 
 /// The largest number in a constraint; as the last of some times it is for ever.
@@ -196,22 +198,6 @@ impl Constraint {
         })
     }
 
-    /// Leaves the agents out that are gone; whether it still binds any.
-    pub(crate) fn keep_agents(&mut self, agents: &[Agent]) -> bool {
-        let is_there = |name: &String| agents.iter().any(|agent| agent.name == *name);
-        match (&self.kind, &mut self.agents) {
-            (ConstraintKind::Sequence { agent, .. }, _) => is_there(agent),
-            (ConstraintKind::Before { first, second }, _) => {
-                is_there(&first.agent) && is_there(&second.agent)
-            }
-            (_, Some(names)) => {
-                names.retain(is_there);
-                !names.is_empty()
-            }
-            (_, None) => true,
-        }
-    }
-
     /// The times that it names.
     pub(crate) const fn times(&self) -> Option<Times> {
         match &self.kind {
@@ -243,6 +229,26 @@ impl Constraint {
         let times = self.times().into_iter();
         let named = times.flat_map(|times| times.from.into_iter().chain(times.to));
         named.filter(|&time| time < MAX_NUMBER).max().unwrap_or(0)
+    }
+
+    /// Whether it is about several agents at once.
+    pub const fn is_between(&self) -> bool {
+        match &self.kind {
+            ConstraintKind::Capacity { .. }
+            | ConstraintKind::Gap { .. }
+            | ConstraintKind::Apart { .. }
+            | ConstraintKind::Before { .. } => true,
+            ConstraintKind::Closed { .. }
+            | ConstraintKind::OneWay { .. }
+            | ConstraintKind::Sequence { .. }
+            | ConstraintKind::Visit { .. }
+            | ConstraintKind::Arrive { .. }
+            | ConstraintKind::Late { .. }
+            | ConstraintKind::Depart { .. }
+            | ConstraintKind::NoWaiting { .. }
+            | ConstraintKind::Turns { .. }
+            | ConstraintKind::Avoid { .. } => false,
+        }
     }
 
     /// Whether it is a penalty, and forbids nothing.

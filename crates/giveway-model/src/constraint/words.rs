@@ -60,7 +60,11 @@ impl Constraint {
                 let cells = stops.join(tr!("between the stops of a robot" => ", then to "));
                 tr!("{agent} goes to {cells}", agent, cells)
             }
-            ConstraintKind::Visit { cell, stay: 0, times } => tr!(
+            ConstraintKind::Visit {
+                cell,
+                stay: 0,
+                times,
+            } => tr!(
                 "Each of {robots} is at {cell} once{times}",
                 robots = all(),
                 cell,
@@ -139,15 +143,25 @@ impl Constraint {
                 by,
                 from
             ),
-            (Some(from), None) => tr!(
-                "Each of {robots} arrives not before {from}",
-                robots,
-                from
-            ),
+            (Some(from), None) => tr!("Each of {robots} arrives not before {from}", robots, from),
             (None, Some(by)) => tr!("Each of {robots} arrives by {by}", robots, by),
             (None, None) => tr!("Each of {robots} arrives", robots),
         }
     }
+}
+
+/// A sentence about the rules of a scene that are in force; none where there are none.
+pub fn sentences(constraints: &[Constraint]) -> Option<String> {
+    let in_force = constraints.iter().filter(|rule| !rule.off);
+    let rules: Vec<String> = in_force.map(Constraint::sentence).collect();
+    let list = rules.join("; ");
+    (!rules.is_empty()).then(|| {
+        tr!(
+            "{n} rule of the scene's own: {list}."
+                | "{n} rules of the scene's own: {list}." % rules.len(),
+            list
+        )
+    })
 }
 
 fn cells(cells: &[Cell]) -> String {

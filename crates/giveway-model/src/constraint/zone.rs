@@ -57,10 +57,12 @@ impl Zone {
 
     /// Whether a cell is one of them.
     pub fn has(&self, cell: Cell) -> bool {
-        let is_inside = |[x0, y0, x1, y1]: [u32; 4]| {
-            (x0..=x1).contains(&cell.x) && (y0..=y1).contains(&cell.y)
-        };
+        let is_inside =
+            |[x0, y0, x1, y1]: [u32; 4]| (x0..=x1).contains(&cell.x) && (y0..=y1).contains(&cell.y);
         self.rect.is_some_and(is_inside)
-            || self.listed.as_ref().is_some_and(|cells| cells.contains(&cell))
+            || self
+                .listed
+                .as_ref()
+                .is_some_and(|cells| cells.contains(&cell))
     }
 }

@@ -9,8 +9,8 @@ pub use start_state::{Breakdown, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::{
-    Agent, Assumption, AtGoal, Cell, Constraint, Cost, Fault, Grid, GridError, Ground, Objective, Rules, Scene,
-    Version, Zone, constraint::InForce, tr, tr_later,
+    Agent, Assumption, AtGoal, Cell, Constraint, Cost, Fault, Grid, GridError, Ground, Objective,
+    Rules, Scene, Version, Zone, constraint::InForce, tr, tr_later,
 };
 
 /// The largest map side that is accepted, in cells.

@@ -55,6 +55,7 @@ pub(crate) fn check_costs(map: &str, plan: &str, expected: [u32; 5]) {
         charges,
         moves,
         waits,
+        penalty: 0,
     };
     assert_eq!(report.costs, Some(expected));
 }

@@ -89,6 +89,7 @@ impl Sketch {
             Edit::Rename(agent, name) => {
                 let name = short(name);
                 if !name.is_empty() {
+                    self.scene.rename_in_rules(&self.name(*agent), &name);
                     self.agent(*agent, |a| a.name = name);
                 }
             }
@@ -99,6 +100,8 @@ impl Sketch {
                 let (width, height) = (self.grid.width(), self.grid.height());
                 self.grid = free(width, height);
                 self.scene.agents.clear();
+                self.scene.zones.clear();
+                self.scene.constraints.clear();
             }
             Edit::Fill(fill) => fill.strew(self),
             Edit::Objective(objective) => self.scene.objective = objective.clone(),

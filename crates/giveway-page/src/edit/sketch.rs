@@ -28,10 +28,12 @@ impl Sketch {
 
     /// The scene as it stands.
     pub(crate) fn into_scene(self) -> Scene {
-        Scene {
+        let mut scene = Scene {
             map: self.grid.rows(),
             ..self.scene
-        }
+        };
+        scene.settle_rules(&self.grid);
+        scene
     }
 
     /// The scene to be looked at while the edit is not finished: nothing is said

@@ -12,6 +12,7 @@ fn scene(rows: &[&str], agents: &[&[(u32, u32)]]) -> Scene {
         goal: Some(cells[1].into()),
         waypoints: cells[2..].iter().map(|&cell| cell.into()).collect(),
         battery: None,
+        heading: None,
     };
     Scene {
         map: rows.iter().map(|&row| row.to_owned()).collect(),

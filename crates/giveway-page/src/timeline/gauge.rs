@@ -153,6 +153,7 @@ mod tests {
                 charges: 3,
                 moves: 30,
                 waits: 0,
+                penalty: 0,
             },
             plan: Plan::default(),
         }

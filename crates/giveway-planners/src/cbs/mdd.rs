@@ -44,7 +44,7 @@ impl Mdd {
         horizon: u32,
         budget: &dyn Budget,
     ) -> Result<Option<Self>, Stop> {
-        let Some(latest) = rules.latest(horizon) else {
+        let Some(latest) = rules.latest(horizon.min(problem.not_after(agent))) else {
             return Ok(None);
         };
         let earliest = earliest.max(rules.earliest()).max(problem.optima[agent]);

@@ -100,7 +100,7 @@ impl Rulebook {
         let Place::At(v) = state.place else {
             return false;
         };
-        if !task.is_end(v, state.mask) || time < task.not_before.max(self.earliest()) {
+        if !task.may_end(v, state.mask, time) || time < self.earliest() {
             return false;
         }
         let (rests, later) = (problem.rests(agent), time + 1);

@@ -27,6 +27,8 @@ pub enum Inability {
     Condition(AgentId),
     /// A question leaves out rules between agents.
     Relaxed,
+    /// The scene has rules of its own that the planner does not keep.
+    Rules,
     /// The objective begins with this cost.
     Cost(Cost),
 }
@@ -43,6 +45,7 @@ impl From<Unsupported> for Inability {
             Unsupported::SharedGoal(a, b) => Self::SharedGoal(a, b),
             Unsupported::SlowZones => Self::SlowZones,
             Unsupported::Relaxed => Self::Relaxed,
+            Unsupported::Rules => Self::Rules,
         }
     }
 }
@@ -59,8 +62,20 @@ pub(super) fn lack(planner: Planner, problem: &Problem) -> Option<Inability> {
             if let (Planner::Cbs, Some(agent)) = (planner, no_goal) {
                 return Some(Inability::NoGoal(agent));
             }
-            let more = problem.tasks.iter().position(is_asked_for_more);
-            more.map(Inability::Condition)
+            // A node of its tree constrains single agents.
+            if planner == Planner::Cbs && problem.has_rules_between() {
+                return Some(Inability::Rules);
+            }
+            let keeps = if problem.is_constrained {
+                is_asked_what_no_search_keeps
+            } else {
+                is_asked_for_more
+            };
+            problem
+                .tasks
+                .iter()
+                .position(keeps)
+                .map(Inability::Condition)
         }
     }
 }
@@ -72,4 +87,9 @@ fn is_asked_for_more(task: &Task) -> bool {
         || task.transit.is_some()
         || (task.not_before, task.earliest_move) != (0, 0)
         || !matches!(task.bounds, Bounds::Free)
+}
+
+/// Whether a task has what searches of one agent keep by chance only.
+fn is_asked_what_no_search_keeps(task: &Task) -> bool {
+    task.conditions.needs_solver() || task.transit.is_some() || !matches!(task.bounds, Bounds::Free)
 }

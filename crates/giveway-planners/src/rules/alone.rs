@@ -11,8 +11,8 @@ use super::OwnRules;
 use crate::{
     AgentId,
     single::{
-        Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay, Task, Turns,
-        has_to_be_at,
+        Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay, Task,
+        Turns, has_to_be_at,
     },
     terrain::{Terrain, Vertex},
 };
@@ -83,12 +83,7 @@ impl OwnRules<'_> {
                     }
                     // The first is never there, so the second must not be.
                     (None, Some(there)) if other == Some(agent) => {
-                        close(
-                            task,
-                            terrain,
-                            &Area::One(there),
-                            (Times::default(), rests),
-                        );
+                        close(task, terrain, &Area::One(there), (Times::default(), rests));
                     }
                     _ => {}
                 }
@@ -143,13 +138,9 @@ impl OwnRules<'_> {
     /// the last time.
     pub(super) fn ask_for_entry(&self, agent: AgentId, task: &mut Task) {
         let counters = &task.conditions.counters;
-        let stays_there = |counter: &Counter| {
-            matches!(counter, Counter::Stay(stay) if stay.steps > 0 && task.may_rest_at(stay.at))
-        };
+        let stays_there = |counter: &Counter| matches!(counter, Counter::Stay(stay) if stay.steps > 0 && task.may_rest_at(stay.at));
         let has_entry = |counter: &Counter| matches!(counter, Counter::Entry { .. });
-        if !self.rests(agent)
-            && counters.iter().any(stays_there)
-            && !counters.iter().any(has_entry)
+        if !self.rests(agent) && counters.iter().any(stays_there) && !counters.iter().any(has_entry)
         {
             task.conditions.counters.push(Counter::Entry { from: 0 });
         }

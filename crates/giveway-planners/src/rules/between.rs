@@ -89,7 +89,9 @@ impl OwnRules<'_> {
         // Fewer agents cannot break it.
         (rule.agents.len() >= fewest).then(|| Shared {
             index: rule.index,
-            members: (0..agents).map(|agent| rule.agents.contains(&agent)).collect(),
+            members: (0..agents)
+                .map(|agent| rule.agents.contains(&agent))
+                .collect(),
             kind,
         })
     }
@@ -132,7 +134,11 @@ impl Between {
     pub fn last_time(&self) -> Option<u32> {
         let named = self.rules.iter().flat_map(|rule| {
             let times = rule.times();
-            times.from.filter(|&from| from > 0).into_iter().chain(times.to)
+            times
+                .from
+                .filter(|&from| from > 0)
+                .into_iter()
+                .chain(times.to)
         });
         named.max()
     }

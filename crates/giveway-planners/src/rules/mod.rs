@@ -38,7 +38,11 @@ impl<'i> OwnRules<'i> {
         };
         let rules: Vec<InForce<'_>> = instance.constraints_in_force().collect();
         // Without rules there is no need of zones.
-        let zones = if rules.is_empty() { &[] } else { instance.zones() };
+        let zones = if rules.is_empty() {
+            &[]
+        } else {
+            instance.zones()
+        };
         Self {
             instance,
             rules,
@@ -73,7 +77,10 @@ impl<'i> OwnRules<'i> {
     /// The rules between agents.
     pub(crate) fn between(&self) -> Between {
         let agents = self.instance.agents().len();
-        let shared = self.rules.iter().filter_map(|rule| self.shared(rule, agents));
+        let shared = self
+            .rules
+            .iter()
+            .filter_map(|rule| self.shared(rule, agents));
         Between {
             rules: shared.collect(),
         }

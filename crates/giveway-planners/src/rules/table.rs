@@ -23,8 +23,19 @@ pub struct RuleTable<'p> {
     rests: BTreeMap<Vertex, Vec<(u32, AgentId)>>,
     /// By rule with a limit: the agents in its area, by time and at rest.
     zones: Vec<Zone>,
-    /// By precedence: when the first agent has been at its vertex, if it is in the table.
-    firsts: Vec<Option<Option<u32>>>,
+    /// By precedence: when the first agent is at its vertex for the first time.
+    firsts: Vec<FirstVisit>,
+}
+
+/// When the first agent of a precedence is at its vertex.
+#[derive(Clone, Copy)]
+enum FirstVisit {
+    /// The agent is not in the table.
+    Unknown,
+    /// At this time.
+    At(u32),
+    /// At no time.
+    Never,
 }
 
 /// The agents in an area.
@@ -73,7 +84,7 @@ impl<'p> RuleTable<'p> {
             visits: BTreeMap::new(),
             rests: BTreeMap::new(),
             zones: rules.iter().map(|_| Zone::default()).collect(),
-            firsts: vec![None; problem.precedences.len()],
+            firsts: vec![FirstVisit::Unknown; problem.precedences.len()],
         })
     }
 
@@ -92,7 +103,11 @@ impl<'p> RuleTable<'p> {
         for (&place, time) in walk.iter().zip(0..) {
             let is_at = matches!(place, Place::At(_));
             for v in touched(&problem.terrain, place) {
-                put(self.visits.entry(v).or_default(), (time, agent, is_at), adds);
+                put(
+                    self.visits.entry(v).or_default(),
+                    (time, agent, is_at),
+                    adds,
+                );
             }
             for (rule, zone) in problem.between.rules.iter().zip(&mut self.zones) {
                 if let Some(area) = limited(rule, agent)
@@ -125,7 +140,11 @@ impl<'p> RuleTable<'p> {
             if precedence.first.0 == agent && !walk.is_empty() {
                 let at = Place::At(precedence.first.1);
                 let visit = walk.iter().zip(0..).find(|&(&place, _)| place == at);
-                *first = adds.then_some(visit.map(|(_, time)| time));
+                *first = match visit {
+                    _ if !adds => FirstVisit::Unknown,
+                    Some((_, time)) => FirstVisit::At(time),
+                    None => FirstVisit::Never,
+                };
             }
         }
     }
@@ -188,9 +207,8 @@ impl<'p> RuleTable<'p> {
     /// The agents at a vertex, or in transit to or from it, at a time.
     fn touching(&self, v: Vertex, time: u32) -> impl Iterator<Item = AgentId> + '_ {
         let visits = self.visits.get(&v).into_iter();
-        let passing = visits.flat_map(move |visits| {
-            visits.range((time, 0, false)..=(time, AgentId::MAX, true))
-        });
+        let passing = visits
+            .flat_map(move |visits| visits.range((time, 0, false)..=(time, AgentId::MAX, true)));
         let rests = self.rests.get(&v).into_iter().flatten();
         let resting = rests.filter(move |(from, _)| *from <= time);
         passing
@@ -204,8 +222,12 @@ impl<'p> RuleTable<'p> {
         for (precedence, first) in orders {
             let (one, other) = (precedence.first, precedence.second);
             if other.0 == here.agent && here.place == Place::At(other.1) {
-                let visit = first.map(|visit| visit.unwrap_or(u32::MAX));
-                met.extend(visit.filter(|&visit| visit >= here.time).map(|_| one.0));
+                let is_too_soon = match *first {
+                    FirstVisit::Unknown => false,
+                    FirstVisit::At(time) => time >= here.time,
+                    FirstVisit::Never => true,
+                };
+                met.extend(is_too_soon.then_some(one.0));
             }
             if one.0 == here.agent {
                 let task = &self.problem.tasks[one.0];
@@ -221,9 +243,8 @@ impl<'p> RuleTable<'p> {
 
     fn standing(&self, v: Vertex, time: u32) -> impl Iterator<Item = AgentId> + '_ {
         let visits = self.visits.get(&v).into_iter();
-        let passing = visits.flat_map(move |visits| {
-            visits.range((time, 0, false)..=(time, AgentId::MAX, true))
-        });
+        let passing = visits
+            .flat_map(move |visits| visits.range((time, 0, false)..=(time, AgentId::MAX, true)));
         let passing = passing.filter(|(_, _, is_at)| *is_at);
         let rests = self.rests.get(&v).into_iter().flatten();
         let resting = rests.filter(move |(from, _)| *from <= time);

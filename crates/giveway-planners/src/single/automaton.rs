@@ -326,16 +326,20 @@ impl Automaton {
     /// Where it faces, and how long it has stood, where turns take time.
     pub fn facing(&self, mask: Mask) -> Option<(Option<Heading>, u32)> {
         self.turns()?; // (most agents need no look at their counts)
-        self.counts_in(mask).find_map(|(counter, count)| match counter {
-            Counter::Turns(turns) => Some(turns.facing(count)),
-            _ => None,
-        })
+        self.counts_in(mask)
+            .find_map(|(counter, count)| match counter {
+                Counter::Turns(turns) => Some(turns.facing(count)),
+                _ => None,
+            })
     }
 
     /// Whether masks can hold all counts.
     pub fn fits_into_masks(&self) -> bool {
-        let sizes = self.counters.iter().map(|counter| Mask::from(counter.size()));
-        let all = sizes.fold(Some(1), |all: Option<Mask>, size| all?.checked_mul(size));
+        let mut sizes = self
+            .counters
+            .iter()
+            .map(|counter| Mask::from(counter.size()));
+        let all = sizes.try_fold(1, Mask::checked_mul);
         all.is_some_and(|all| all < 1 << (Mask::BITS - COUNTS))
     }
 

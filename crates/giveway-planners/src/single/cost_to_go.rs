@@ -167,17 +167,16 @@ const NO_HEADING: usize = 4;
 
 /// The number of directions that states tell apart.
 fn headings(task: &Task, metric: Metric) -> usize {
-    let turns = metric == Metric::Time
-        && task.along().is_none()
-        && task.conditions.turns().is_some();
+    let turns =
+        metric == Metric::Time && task.along().is_none() && task.conditions.turns().is_some();
     if turns { NO_HEADING + 1 } else { 1 }
 }
 
 impl Labels {
     fn from(&self, (v, heading): (Vertex, usize), mask: Mask, level: u32) -> Option<u32> {
         let heading = heading.min(self.headings - 1);
-        let state = (v as usize * self.headings + heading) * self.stride
-            + Task::set_of(mask) as usize;
+        let state =
+            (v as usize * self.headings + heading) * self.stride + Task::set_of(mask) as usize;
         let (begin, end) = (self.begins[state] as usize, self.begins[state + 1] as usize);
         let labels = &self.entries[begin..end];
         let enough = labels.iter().find(|label| label.need <= level);
@@ -186,11 +185,7 @@ impl Labels {
 
     /// Sorts the labels by state, each state's by cost; where two have one
     /// cost, only the later, with less need, is kept.
-    fn collect(
-        (stride, headings): (usize, usize),
-        states: usize,
-        found: &[(u32, Label)],
-    ) -> Self {
+    fn collect((stride, headings): (usize, usize), states: usize, found: &[(u32, Label)]) -> Self {
         let mut begins = vec![0u32; states + 1];
         for (state, _) in found {
             begins[*state as usize + 1] += 1;

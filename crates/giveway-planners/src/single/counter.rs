@@ -129,21 +129,21 @@ impl Stay {
 
 impl Turns {
     /// The number of counts of how long it has stood.
-    const fn stood(&self) -> u32 {
+    const fn stood(self) -> u32 {
         self.quarter.saturating_mul(2).saturating_add(1)
     }
 
-    fn digit(&self, heading: Option<Heading>, stood: u32) -> u32 {
+    fn digit(self, heading: Option<Heading>, stood: u32) -> u32 {
         let facing = heading.map_or(4, |heading| heading as u32);
         facing * self.stood() + stood
     }
 
-    pub(super) fn facing(&self, digit: u32) -> (Option<Heading>, u32) {
+    pub(super) fn facing(self, digit: u32) -> (Option<Heading>, u32) {
         let facing = Heading::ALL.get((digit / self.stood()) as usize);
         (facing.copied(), digit % self.stood())
     }
 
-    fn next(&self, digit: u32, passage: Passage) -> Option<u32> {
+    fn next(self, digit: u32, passage: Passage) -> Option<u32> {
         let (facing, stood) = self.facing(digit);
         let Some(heading) = passage.heading else {
             let waits = passage.from == passage.to;

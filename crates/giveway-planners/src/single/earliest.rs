@@ -140,7 +140,9 @@ impl Search<'_> {
         let arrival = (now + delay + rest).max(self.task.not_before);
         let key = (place, mask, now.min(self.last + 1));
         let known = self.reached.entry(key).or_default();
-        let is_known = known.iter().any(|&(time, fuller)| time <= now && fuller >= battery);
+        let is_known = known
+            .iter()
+            .any(|&(time, fuller)| time <= now && fuller >= battery);
         if !is_known {
             known.push((now, battery));
             self.open.push(Reverse((arrival, Reverse(now), state)));

@@ -223,9 +223,8 @@ impl Task {
 
     /// Whether it has been at a vertex that it has to visit, or of which it is noted.
     pub fn has_been(&self, mask: Mask, v: Vertex) -> bool {
-        let noted = |(counter, count): (&Counter, u32)| {
-            count > 0 && *counter == Counter::Visited(v)
-        };
+        let noted =
+            |(counter, count): (&Counter, u32)| count > 0 && *counter == Counter::Visited(v);
         self.bit(v) & mask != 0 || self.conditions.counts_in(mask).any(noted)
     }
 
@@ -291,9 +290,9 @@ impl Task {
     pub fn penalty_of_time(&self, from: u32, arrival: u32) -> u32 {
         let each = self.penalties.iter().map(|penalty| match penalty {
             Penalty::Avoid(..) => 0,
-            Penalty::Late { by, weight } => {
-                arrival.saturating_sub(from.max(*by)).saturating_mul(*weight)
-            }
+            Penalty::Late { by, weight } => arrival
+                .saturating_sub(from.max(*by))
+                .saturating_mul(*weight),
         });
         each.fold(0, u32::saturating_add)
     }
@@ -318,7 +317,13 @@ impl Task {
     }
 
     /// A mask after a time step, by what is counted; `None` where the step is forbidden.
-    pub fn counted(&self, terrain: &Terrain, mask: Mask, step: [Place; 2], now: u32) -> Option<Mask> {
+    pub fn counted(
+        &self,
+        terrain: &Terrain,
+        mask: Mask,
+        step: [Place; 2],
+        now: u32,
+    ) -> Option<Mask> {
         if self.conditions.counters.is_empty() {
             return Some(mask);
         }

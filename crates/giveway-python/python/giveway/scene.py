@@ -14,7 +14,7 @@ from giveway._text import decoded, of_file
 
 #: ``(x, y)``, from (0, 0) at the top left, y down.
 Cell = tuple[int, int]
-Cost = Literal["makespan", "sum-of-costs", "charges", "moves", "waits"]
+Cost = Literal["makespan", "sum-of-costs", "charges", "moves", "waits", "penalty"]
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,8 @@ class Agent(Record):
     goal: Cell | None = optional()
     waypoints: tuple[Cell, ...] = optional(default=())
     battery: Battery | None = optional()
+    #: Where it faces at first, which matters where turns take time.
+    heading: Literal["north", "east", "south", "west"] | None = optional()
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,15 @@ class Assumption(Record):
 
 
 @dataclass(frozen=True)
+class Zone(Record):
+    """A named part of the map: its ``cells``, or a ``rect`` of first and last column and row."""
+
+    name: str
+    cells: tuple[Cell, ...] | None = optional()
+    rect: tuple[int, int, int, int] | None = optional()
+
+
+@dataclass(frozen=True)
 class Scene(Record):
     """An instance of the problem.
 
@@ -84,6 +95,10 @@ class Scene(Record):
     objective: tuple[Cost, ...] = optional(default=("makespan", "sum-of-costs", "charges"))
     #: What it takes for granted, where it was read from a file of another maker.
     assumptions: tuple[Assumption, ...] = optional(default=())
+    #: Named parts of the map.
+    zones: tuple[Zone, ...] = optional(default=())
+    #: Rules of its own: ``{"kind": "capacity", "zone": "aisle 3", "most": 1}``.
+    constraints: tuple[dict[str, Any], ...] = optional(default=())
 
     @property
     def width(self) -> int:

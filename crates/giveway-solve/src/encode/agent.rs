@@ -101,8 +101,7 @@ impl MddEncoding {
             written: Vec::new(),
             due: BTreeMap::new(),
             by: Vec::new(),
-            rests_on: problem.rests(id)
-                && (task.goal.is_none() || problem.has_rules_between()),
+            rests_on: problem.rests(id) && (task.goal.is_none() || problem.has_rules_between()),
             rest: BTreeMap::new(),
             positions: BTreeMap::new(),
             alone: Vec::new(),

@@ -115,14 +115,13 @@ impl RuleClauses {
             inside: BTreeMap::new(),
             sum: SumLimit::new(most as usize),
         });
-        let inside = match count.inside.get(&agent) {
-            Some(&inside) => inside,
-            None => {
-                let inside = out.fresh();
-                count.inside.insert(agent, inside);
-                count.sum.add(&[inside], out)?;
-                inside
-            }
+        let inside = if let Some(&inside) = count.inside.get(&agent) {
+            inside
+        } else {
+            let inside = out.fresh();
+            count.inside.insert(agent, inside);
+            count.sum.add(&[inside], out)?;
+            inside
         };
         out.clause(&[!at, inside]);
         Ok(())

@@ -48,7 +48,12 @@ impl WeightedCounter {
 
     /// Makes all columns know all events.
     pub(crate) fn extend(&mut self, out: &mut impl Clauses) {
-        let weights: BTreeSet<u32> = self.events.iter().flat_map(BTreeMap::keys).copied().collect();
+        let weights: BTreeSet<u32> = self
+            .events
+            .iter()
+            .flat_map(BTreeMap::keys)
+            .copied()
+            .collect();
         let mut open: Vec<u32> = self.columns.keys().copied().collect();
         while let Some(j) = open.pop() {
             for weight in &weights {

@@ -73,9 +73,7 @@ fn size(part: Part<'_>) -> Option<u32> {
         Part::Limit(
             Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty,
             most,
-        ) => {
-            Some(most.saturating_add(1))
-        }
+        ) => Some(most.saturating_add(1)),
         // The place, the mask and the clock tell.
         Part::Forbidden(_)
         | Part::Counter(_)

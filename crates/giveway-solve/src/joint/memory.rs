@@ -38,9 +38,9 @@ impl Memory {
     /// The numbers at time 0.
     pub(super) fn first(&self, joint: &Joint<'_>, state: &[Single]) -> Vec<u32> {
         let mut numbers = Vec::from_iter(self.last.map(|_| 0));
-        numbers.extend((0..self.precedences).map(|number| {
-            u32::from(joint.is_first_there(number, state))
-        }));
+        numbers.extend(
+            (0..self.precedences).map(|number| u32::from(joint.is_first_there(number, state))),
+        );
         numbers.extend(std::iter::repeat_n(NOWHERE, self.trail * state.len()));
         numbers
     }
@@ -55,9 +55,11 @@ impl Memory {
         let (time, numbers) = self.split(numbers);
         let (been, trails) = numbers.split_at(self.precedences);
         let mut next = Vec::from_iter(self.last.map(|last| (time + 1).min(last + 1)));
-        next.extend(been.iter().enumerate().map(|(number, &been)| {
-            been.max(u32::from(joint.is_first_there(number, after)))
-        }));
+        next.extend(
+            been.iter()
+                .enumerate()
+                .map(|(number, &been)| been.max(u32::from(joint.is_first_there(number, after)))),
+        );
         if self.trail > 0 {
             for (trail, &single) in trails.chunks(self.trail).zip(before) {
                 next.push(Joint::stands(single).unwrap_or(NOWHERE));
@@ -185,7 +187,9 @@ impl Joint<'_> {
         };
         match &rule.kind {
             SharedKind::Capacity { area, most, times } => {
-                let inside = self.bound(rule).filter(|&i| touches(i).any(|v| area.has(v)));
+                let inside = self
+                    .bound(rule)
+                    .filter(|&i| touches(i).any(|v| area.has(v)));
                 !times.contains(time) || inside.count() <= *most as usize
             }
             SharedKind::Apart { distance, times } => {
@@ -196,9 +200,7 @@ impl Joint<'_> {
                 !times.contains(time)
                     || self.bound(rule).all(|i| {
                         let mut others = self.bound(rule).filter(|&j| j < i);
-                        !others.any(|j| {
-                            touches(i).any(|u| touches(j).any(|v| is_near(u, v)))
-                        })
+                        !others.any(|j| touches(i).any(|u| touches(j).any(|v| is_near(u, v))))
                     })
             }
             SharedKind::Gap { .. } => true,

@@ -212,7 +212,8 @@ impl Search<'_> {
         let have = singles.all(|(states, &id)| states.state(id).has_arrived());
         let may_end = || {
             let singles = self.singles(self.numbers(id));
-            self.memory.may_end(self.joint, self.remembered(id), &singles)
+            self.memory
+                .may_end(self.joint, self.remembered(id), &singles)
         };
         have && (!self.remembers || may_end())
     }

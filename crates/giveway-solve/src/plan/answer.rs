@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Costs, Objective, Plan, Version, message::read_map};
+use giveway_model::{Constraint, Cost, Costs, Objective, Plan, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{PlanTrace, Planner};
@@ -118,6 +118,11 @@ pub enum Lack {
     SharedGoals {
         /// The two agents.
         agents: [String; 2],
+    },
+    /// Rules of the scene's own.
+    Rules {
+        /// Those that the planner does not keep.
+        rules: Vec<Constraint>,
     },
     /// The conditions of a question beside the instance.
     Questions,

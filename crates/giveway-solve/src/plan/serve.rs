@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Costs, Fault, Instance, Plan, Version, check::check};
+use giveway_model::{Constraint, Costs, Fault, Instance, Plan, Version, check::check};
 use giveway_planners::{
     budget::Stop,
-    planner::{self, Asked, Halt, Inability, Outcome, Report},
+    planner::{self, Asked, Halt, Inability, Outcome, Planner, Report},
     prioritised::Order,
     problem::{Problem, ProblemError},
     walk::{Walk, to_plan},
@@ -89,12 +89,22 @@ impl PlanTask<'_> {
         let teller = Teller {
             problem,
             names: &self.names,
+            unkept: self.unkept(),
         };
         let mut answer = self.answer(end(&report.outcome, &teller));
         answer.stats.steps = report.steps;
         answer.trace = report.trace.as_ref().map(|trace| teller.trace(trace));
         self.add_plan(&mut answer, problem, &report);
         answer
+    }
+
+    /// The rules of the scene's own that the planner does not keep: those between agents,
+    /// or all of them.
+    fn unkept(&self) -> Vec<Constraint> {
+        let keeps_alone = self.request.planner == Planner::Cbs;
+        let rules = self.instance.constraints_in_force();
+        let unkept = rules.filter(|rule| !keeps_alone || rule.constraint.is_between());
+        unkept.map(|rule| rule.constraint.clone()).collect()
     }
 
     /// Adds the plan and what is proved. Never trust a planner: what the judge
@@ -204,6 +214,9 @@ fn told(lack: Inability, teller: &Teller) -> Lack {
         Inability::Battery(agent) => Lack::Batteries { agent: name(agent) },
         Inability::Waypoints(agent) => Lack::Waypoints { agent: name(agent) },
         Inability::SlowZones => Lack::SlowZones,
+        Inability::Rules => Lack::Rules {
+            rules: teller.unkept.clone(),
+        },
         Inability::SharedGoal(a, b) => Lack::SharedGoals {
             agents: [name(a), name(b)],
         },

@@ -1,6 +1,6 @@
 //! From the numbers of planners to names and cells.
 
-use giveway_model::{Cell, Path, Version};
+use giveway_model::{Cell, Constraint as SceneRule, Path, Version};
 use giveway_planners::{
     AgentId,
     cbs::{Cardinality, Conflict, ConflictKind, Constraint, Fate, Rule, Tree},
@@ -22,6 +22,8 @@ use super::{
 pub(super) struct Teller<'a> {
     pub(super) problem: &'a Problem,
     pub(super) names: &'a [String],
+    /// The rules of the scene's own that the planner does not keep.
+    pub(super) unkept: Vec<SceneRule>,
 }
 
 impl Teller<'_> {

@@ -5,7 +5,7 @@ mod tree;
 
 use giveway_model::words::Later;
 use giveway_model::words::{and, name, sentence, values};
-use giveway_model::{tr, tr_later};
+use giveway_model::{Constraint, tr, tr_later};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
 use crate::Reason;
@@ -146,6 +146,10 @@ fn cannot(lack: &Lack) -> String {
                 a,
                 b
             )
+        }
+        Lack::Rules { rules } => {
+            let rules: Vec<String> = rules.iter().map(Constraint::called).collect();
+            tr!("does not keep {rules}", rules = and(&rules))
         }
         Lack::Questions => tr!("cannot plan for what a question asks").to_owned(),
         Lack::Cost { cost } => tr!(

@@ -81,9 +81,7 @@ impl Minima {
             Cost::Makespan => Some(problem.optima[agent]),
             Cost::SumOfCosts => Some(problem.least_cost(agent)),
             // A lower bound: zones to be avoided may be on each way.
-            Cost::Penalty => {
-                Some(problem.tasks[agent].penalty_of_time(0, problem.optima[agent]))
-            }
+            Cost::Penalty => Some(problem.tasks[agent].penalty_of_time(0, problem.optima[agent])),
             Cost::Charges | Cost::Moves | Cost::Waits => self.0.get(&(agent, cost)).copied(),
         }
     }

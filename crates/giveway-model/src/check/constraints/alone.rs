@@ -1,10 +1,10 @@
 //! Rules that each agent keeps by itself.
 
 use super::{Area, Broken, Row, Table};
+use crate::Cell;
 use crate::check::{Step, steps};
 use crate::condition::Times;
 use crate::constraint::{Heading, meant};
-use crate::Cell;
 
 /// A move: the times at which it begins and ends, from where, to where.
 type Move = (u32, u32, Cell, Cell);
@@ -54,35 +54,6 @@ impl Table<'_> {
         }
     }
 
-    /// Agents that never stay at a cell for so long within some times.
-    pub(super) fn not_visited(
-        &self,
-        rows: &[Row<'_>],
-        cell: Cell,
-        (stay, times): (u32, Times),
-        broken: &mut Broken<'_, '_, '_>,
-    ) {
-        let times = meant(times);
-        for row in rows {
-            let arrival = row.walk.arrival() as u32;
-            // At rest, it is there at all later times.
-            let mut since: Option<u32> = None;
-            let mut is_met = false;
-            for time in times.first()..=arrival.max(times.first()) {
-                let is_there = row.at(time) == Some(cell);
-                since = since.or(Some(time)).filter(|_| is_there);
-                let rests = time >= arrival && row.stays;
-                let needed = since.map(|since| since.saturating_add(stay));
-                is_met |= needed.is_some_and(|until| {
-                    until <= times.last() && (until <= time || rests)
-                });
-            }
-            if !is_met {
-                broken.at(arrival, &[row.agent], vec![cell]);
-            }
-        }
-    }
-
     /// Moves that begin too early.
     pub(super) fn departed(&self, rows: &[Row<'_>], from: u32, broken: &mut Broken<'_, '_, '_>) {
         for row in rows {
@@ -122,7 +93,9 @@ impl Table<'_> {
             let (mut facing, mut since) = (row.walk.agent.heading, 0);
             for (begin, end, from, to) in self.moves(row) {
                 let next = Heading::of(from, to);
-                let quarters = facing.zip(next).map_or(0, |(one, next)| one.quarters_to(next));
+                let quarters = facing
+                    .zip(next)
+                    .map_or(0, |(one, next)| one.quarters_to(next));
                 if begin.saturating_sub(since) < quarter.saturating_mul(quarters) {
                     broken.at(begin, &[row.agent], vec![from, to]);
                 }
@@ -156,6 +129,32 @@ pub(super) fn arrived(rows: &[Row<'_>], times: Times, broken: &mut Broken<'_, '_
         let arrival = row.walk.arrival() as u32;
         if !meant(times).contains(arrival) {
             broken.at(arrival, &[row.agent], Vec::from_iter(row.walk.end()));
+        }
+    }
+}
+
+/// Agents that never stay at a cell for so long within some times.
+pub(super) fn not_visited(
+    rows: &[Row<'_>],
+    cell: Cell,
+    (stay, times): (u32, Times),
+    broken: &mut Broken<'_, '_, '_>,
+) {
+    let times = meant(times);
+    for row in rows {
+        let arrival = row.walk.arrival() as u32;
+        // At rest, it is there at all later times.
+        let mut since: Option<u32> = None;
+        let mut is_met = false;
+        for time in times.first()..=arrival.max(times.first()) {
+            let is_there = row.at(time) == Some(cell);
+            since = since.or(Some(time)).filter(|_| is_there);
+            let rests = time >= arrival && row.stays;
+            let needed = since.map(|since| since.saturating_add(stay));
+            is_met |= needed.is_some_and(|until| until <= times.last() && (until <= time || rests));
+        }
+        if !is_met {
+            broken.at(arrival, &[row.agent], vec![cell]);
         }
     }
 }

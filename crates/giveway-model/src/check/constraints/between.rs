@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::{Area, Broken, Row, Table};
+use crate::Cell;
 use crate::condition::Times;
 use crate::constraint::meant;
 use crate::sorting::sort_by_key;
-use crate::Cell;
 
 impl Table<'_> {
     /// The times of a rule that are judged. Beyond the makespan all are alike, so the rest
@@ -49,7 +49,9 @@ impl Table<'_> {
         // Each cell with those who were there, each with the last time.
         let mut visitors: BTreeMap<Cell, BTreeMap<usize, u32>> = BTreeMap::new();
         for time in 0..=self.last.min(self.makespan.saturating_add(steps)) {
-            let here = rows.iter().filter_map(|row| Some((row.agent, row.at(time)?)));
+            let here = rows
+                .iter()
+                .filter_map(|row| Some((row.agent, row.at(time)?)));
             let here: Vec<(usize, Cell)> = here.collect();
             for &(agent, cell) in &here {
                 for (&other, &last) in visitors.get(&cell).into_iter().flatten() {

@@ -161,13 +161,12 @@ impl<'a> Table<'a> {
             }
             ConstraintKind::Sequence { cells, .. } => out_of_order(&rows, cells, &mut broken),
             ConstraintKind::Visit { cell, stay, times } => {
-                self.not_visited(&rows, *cell, (*stay, *times), &mut broken);
+                alone::not_visited(&rows, *cell, (*stay, *times), &mut broken);
             }
             ConstraintKind::Arrive { times } => alone::arrived(&rows, *times, &mut broken),
             ConstraintKind::Depart { from } => self.departed(&rows, *from, &mut broken),
             ConstraintKind::Before { first, second } => {
-                if let (Some(one), Some(other)) =
-                    (self.row(&first.agent), self.row(&second.agent))
+                if let (Some(one), Some(other)) = (self.row(&first.agent), self.row(&second.agent))
                 {
                     self.not_before((one, first.cell), (other, second.cell), &mut broken);
                 }
@@ -216,7 +215,8 @@ struct Broken<'r, 'f, 'n> {
 
 impl Broken<'_, '_, '_> {
     fn at(&mut self, time: u32, agents: &[usize], cells: Vec<Cell>) {
-        self.findings.push_constraint(self.rule, time, agents, cells);
+        self.findings
+            .push_constraint(self.rule, time, agents, cells);
     }
 
     fn is_full(&self) -> bool {

@@ -42,6 +42,7 @@ const COSTS: Costs = Costs {
     charges: 1,
     moves: 30,
     waits: 4,
+    penalty: 0,
 };
 
 #[test]

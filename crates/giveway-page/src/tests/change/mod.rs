@@ -28,6 +28,7 @@ fn running() -> State {
         charges: 0,
         moves: 8,
         waits: 0,
+        penalty: 0,
     };
     let objective = state.document.draft.scene().objective.clone();
     let solved = proved(&objective, costs, native::read_plan(plan).unwrap());

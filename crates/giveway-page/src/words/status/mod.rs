@@ -5,7 +5,7 @@ mod bounds;
 mod resting;
 
 use giveway_model::words::capital;
-use giveway_model::{AtGoal, Rules, assumption, tr};
+use giveway_model::{AtGoal, Rules, assumption, constraint, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
@@ -111,7 +111,11 @@ pub fn standing(state: &State) -> Standing {
             let scene = state.document.draft.scene();
             let rules = state.document.answer.as_ref().map(|_| rules(scene.rules));
             let rules = rules.into_iter().flatten();
-            for said in rules.chain(assumption::sentences(&scene.assumptions)) {
+            let own = constraint::sentences(&scene.constraints);
+            for said in rules
+                .chain(assumption::sentences(&scene.assumptions))
+                .chain(own)
+            {
                 standing.sentence += " ";
                 standing.sentence += &said;
             }

@@ -16,13 +16,14 @@ Ended = Literal["proof", "work", "conflicts", "time", "memory", "cancelled", "si
 
 @dataclass(frozen=True)
 class Costs(Record):
-    """All five costs of a plan."""
+    """The costs of a plan; a penalty only where rules of the scene make one."""
 
     makespan: int
     sum_of_costs: int = field(metadata={"key": "sum-of-costs"})
     charges: int
     moves: int
     waits: int
+    penalty: int = 0
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,11 @@ class Violation(Record):
     edge: tuple[Cell, ...] = optional(default=())
     #: Of what an answer shows to be unsolvable: which rules were soft.
     kind: str | None = optional("class")
+    #: Of a rule of the scene's own: its kind, its number from 0, its name, and where.
+    constraint: str | None = optional("kind")
+    index: int | None = optional()
+    name: str | None = optional()
+    cells: tuple[Cell, ...] = optional(default=())
 
 
 @dataclass(frozen=True)

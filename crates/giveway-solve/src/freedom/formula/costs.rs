@@ -25,7 +25,8 @@ pub(super) fn limit(
     for &cost in objective.costs() {
         let most = best.get(cost);
         match cost {
-            Cost::Makespan => {}
+            // (No rule of the scene is in force here, so there is no penalty.)
+            Cost::Makespan | Cost::Penalty => {}
             Cost::SumOfCosts => {
                 let total: u32 = problem.optima.iter().sum();
                 let mut sum = SumLimit::new(most.saturating_sub(total) as usize);
@@ -35,8 +36,6 @@ pub(super) fn limit(
                     sum.add(&delays.collect::<Vec<Lit>>(), out)?;
                 }
             }
-            // No rule of the scene is in force here, so there is none.
-            Cost::Penalty => {}
             Cost::Charges | Cost::Moves | Cost::Waits => {
                 let mut sum = SumLimit::new(most as usize);
                 for code in agents {

@@ -99,7 +99,8 @@ impl Search<'_, '_, '_> {
                 _ => {
                     let least = self.team.least(agent, cost)?;
                     let more = more.saturating_mul(self.unit(cost));
-                    self.team.more_than(agent, cost, least.saturating_add(more))?
+                    self.team
+                        .more_than(agent, cost, least.saturating_add(more))?
                 }
             };
             digits.extend(digit);

@@ -180,16 +180,15 @@ impl<'b> SumStage<'b> {
         let least = search.team.least(agent, self.cost)?;
         let cost = self.cost;
         let most = least;
-        self.oll
-            .assume(
-                search,
-                Soft::Level(AtMost {
-                    agent,
-                    cost,
-                    most,
-                    unit: self.unit,
-                }),
-            )
+        self.oll.assume(
+            search,
+            Soft::Level(AtMost {
+                agent,
+                cost,
+                most,
+                unit: self.unit,
+            }),
+        )
     }
 
     /// Takes a core in: raises the bound.
