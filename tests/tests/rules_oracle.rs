@@ -10,12 +10,14 @@
 use std::fs;
 use std::path::Path;
 
+use giveway_model::change::Changes;
 use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Objective};
+use giveway_solve::plan::{PlanEnd, PlanRequest, Planner};
 use giveway_solve::{
-    Limits, PlanEnd, PlanRequest, Planner, Reason, Request, Response, SilentHost, SolveAnswer,
-    SolveRequest, Status, serve,
+    CheckRequest, Limits, Reason, Refusal, Request, Response, SilentHost, SolveAnswer,
+    SolveRequest, Status, Stop, serve,
 };
 use giveway_tests::environment;
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
@@ -73,7 +75,8 @@ fn plan(instance: &Instance, costs: Option<&[i64]>, what: &str) -> u32 {
             }
             PlanEnd::Alone { .. } => assert_eq!(costs, None, "{what}, {planner}"),
             PlanEnd::Stopped { reason } => {
-                assert_ne!(reason, Reason::Contradiction, "{what}, {planner}");
+                let contradiction = Reason::Stopped(Stop::Contradiction);
+                assert_ne!(reason, contradiction, "{what}, {planner}");
             }
             _ => {}
         }
@@ -131,11 +134,12 @@ fn what_does_not_heed_rules_refuses_them() {
     let mut scene = scene_with_rules(31, 3, &["gap"]);
     let refuses = |scene: &Value| {
         let instance = native::read_instance(&scene.to_string()).unwrap();
-        let request = ExplainRequest {
+        let request = CheckRequest {
             scene: instance.to_scene(),
-            ..ExplainRequest::default()
+            changes: Some(Changes::default()),
+            ..CheckRequest::default()
         };
-        let refused = serve(&Request::Explain(Box::new(request)), &SilentHost);
+        let refused = serve(&Request::Check(request), &SilentHost);
         matches!(refused, Response::Refused(Refusal::Scene { faults })
             if faults[0].place == "constraints[0]")
     };
