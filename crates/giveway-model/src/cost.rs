@@ -164,7 +164,7 @@ impl Costs {
     ///
     /// ```
     /// use giveway_model::{Costs, Objective};
-    /// let costs = Costs { makespan: 4, sum_of_costs: 7, charges: 0, moves: 6, waits: 1 };
+    /// let costs = Costs { makespan: 4, sum_of_costs: 7, charges: 0, moves: 6, waits: 1, penalty: 0 };
     /// assert_eq!(costs.vector(&Objective::default()), [4, 7, 0]);
     /// ```
     pub fn vector(&self, objective: &Objective) -> Vec<u32> {

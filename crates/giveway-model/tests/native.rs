@@ -80,7 +80,7 @@ fn carriage_returns_and_a_byte_order_mark_are_fine() {
     check(
         &marked.replace("\"goal\"", "\"gaol\""),
         "line 5, column 37: agents[0]: found the unknown key \"gaol\", \
-         expected one of name, start, goal, waypoints, battery",
+         expected one of name, start, goal, waypoints, battery, heading",
     );
 }
 
@@ -157,7 +157,7 @@ fn unknown_keys_are_refused_with_their_place() {
     check(
         &spoilt("\"map\"", "\"mapp\""),
         "line 3, column 3: found the unknown key \"mapp\", \
-         expected one of giveway, name, map, rules, objective, agents, assumptions",
+         expected one of giveway, name, map, rules, objective, agents, assumptions, zones, constraints",
     );
     check(
         &spoilt("\"initial\"", "\"level\": 3, \"initial\""),
@@ -226,7 +226,7 @@ fn rules_and_objectives_by_name_only() {
     check(
         &with("\"objective\": [\"speed\"]"),
         "line 3, column 17: objective[0]: found \"speed\", \
-         expected makespan, sum-of-costs, charges, moves or waits",
+         expected makespan, sum-of-costs, charges, moves, waits or penalty",
     );
     check(
         &with("\"objective\": [\"moves\", \"moves\"]"),
@@ -265,7 +265,7 @@ fn columns_count_characters() {
     check(
         &spoilt("\"A\"", "\"\u{e4}\u{1f916}\", \"x\": 1"),
         "line 5, column 21: agents[0]: found the unknown key \"x\", \
-         expected one of name, start, goal, waypoints, battery",
+         expected one of name, start, goal, waypoints, battery, heading",
     );
 }
 

@@ -43,7 +43,7 @@ pub(crate) struct Solve {
     #[command(flatten)]
     pub(crate) source: Source,
     /// The costs to minimise, the most important first: makespan, sum-of-costs, charges,
-    /// moves, waits, separated by commas [default: the instance's own, or
+    /// moves, waits, penalty, separated by commas [default: the instance's own, or
     /// makespan,sum-of-costs,charges]
     #[arg(long, value_name = "LIST")]
     pub(crate) objective: Option<Objective>,

@@ -20,7 +20,7 @@ fn objectives() {
         "solve warehouse.json --objective speed",
         &expect![[r#"
         exit 2
-        error: invalid value 'speed' for '--objective <LIST>': found "speed", expected makespan, sum-of-costs, charges, moves or waits"#]],
+        error: invalid value 'speed' for '--objective <LIST>': found "speed", expected makespan, sum-of-costs, charges, moves, waits or penalty"#]],
     );
     check(
         "solve warehouse.json --objective makespan,moves,makespan",
@@ -38,7 +38,7 @@ fn objectives() {
         "solve warehouse.json --objective Makespan",
         &expect![[r#"
             exit 2
-            error: invalid value 'Makespan' for '--objective <LIST>': found "Makespan", expected makespan, sum-of-costs, charges, moves or waits"#]],
+            error: invalid value 'Makespan' for '--objective <LIST>': found "Makespan", expected makespan, sum-of-costs, charges, moves, waits or penalty"#]],
     );
 }
 

@@ -56,7 +56,7 @@ fn an_unknown_key() {
         &[("\"name\": \"A2\"", "\"nam\": \"A2\"")],
         &expect![[r#"
             exit 1
-            scene.json: line 7, column 7: agents[1]: found the unknown key "nam", expected one of name, start, goal, waypoints, battery
+            scene.json: line 7, column 7: agents[1]: found the unknown key "nam", expected one of name, start, goal, waypoints, battery, heading
         "#]],
     );
 }
@@ -100,7 +100,7 @@ fn bad_words_in_the_objective() {
         &[("\"map\"", "\"objective\": [\"speed\"], \"map\"")],
         &expect![[r#"
             exit 1
-            scene.json: line 4, column 17: objective[0]: found "speed", expected makespan, sum-of-costs, charges, moves or waits
+            scene.json: line 4, column 17: objective[0]: found "speed", expected makespan, sum-of-costs, charges, moves, waits or penalty
         "#]],
     );
     check(

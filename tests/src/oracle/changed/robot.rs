@@ -124,7 +124,11 @@ impl Robot {
         let same = match self.old.get(tick as usize) {
             Some(Some(cell)) if (tick as usize) < last => to.place == Place::At(*cell),
             Some(None) => matches!(to.place, Place::Between(..)),
-            _ => matches!(to.place, Place::Done(_) | Place::Gone),
+            _ => match to.place {
+                Place::Done(cell) => self.old.last() == Some(&Some(cell)),
+                Place::Gone => true,
+                Place::At(_) | Place::Between(..) => false,
+            },
         };
         let disturbed = u32::from(to.same && !same);
         to.same &= same;
