@@ -96,15 +96,7 @@ impl Constraint {
                 second = second.agent,
                 later = second.cell
             ),
-            ConstraintKind::NoWaiting { zone, most: 0 } => {
-                tr!("None of {robots} waits in '{zone}'", robots = all(), zone)
-            }
-            ConstraintKind::NoWaiting { zone, most } => tr!(
-                "None of {robots} waits more than {n} step on end in '{zone}'"
-                    | "None of {robots} waits more than {n} steps on end in '{zone}'" % *most,
-                robots = all(),
-                zone
-            ),
+            ConstraintKind::NoWaiting { zone, most } => self.waiting(zone, *most),
             ConstraintKind::Turns { quarter } => tr!(
                 "Each of {robots} needs {n} step for each quarter turn"
                     | "Each of {robots} needs {n} steps for each quarter turn" % *quarter,
@@ -132,6 +124,19 @@ impl Constraint {
             None => tr!("all robots").to_owned(),
             Some(names) => and(names),
         }
+    }
+
+    fn waiting(&self, zone: &str, most: u32) -> String {
+        let robots = self.all();
+        if most == 0 {
+            return tr!("None of {robots} waits in '{zone}'", robots, zone);
+        }
+        tr!(
+            "None of {robots} waits more than {n} step on end in '{zone}'"
+                | "None of {robots} waits more than {n} steps on end in '{zone}'" % most,
+            robots,
+            zone
+        )
     }
 
     fn arrival(&self, times: Times) -> String {
