@@ -1,6 +1,6 @@
 // The same in TypeScript, with the worker of a page: types tell what comes back.
 
-import { type Cost, type ExplainAnswer, type GivewayError, type Progress, type Scene, schema } from "giveway";
+import { type Costs, type ExplainAnswer, type GivewayError, type Progress, type Scene, schema } from "giveway";
 import { Giveway } from "giveway/worker";
 
 const scene: Scene = {
@@ -31,7 +31,7 @@ export async function whyNotSooner(signal: AbortSignal): Promise<ExplainAnswer |
   const giveway = new Giveway();
   try {
     const front = await giveway.solve({ scene, pareto: true, objective: ["makespan", "sum-of-costs"] }, { signal });
-    const costs: Record<Cost, number> | null | undefined = front.front[0]?.costs;
+    const costs: Costs | null | undefined = front.front[0]?.costs;
     const { plan } = await giveway.solve({ scene, within: costs?.makespan, limits: { seconds: 5 } }, { signal });
     return await giveway.explain(
       { scene, plan: plan ?? undefined, question: { kind: "arrival", agent: "a" } },

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from giveway._record import Record
+from giveway._record import Record, optional
 
 Status = Literal["optimal", "feasible", "impossible", "unknown"]
 #: What ended a search. Only time, memory and a person end the same search elsewhere each time.
@@ -23,7 +23,7 @@ class Costs(Record):
     charges: int
     moves: int
     waits: int
-    penalty: int = 0
+    penalty: int | None = optional()
 
 
 @dataclass(frozen=True)
