@@ -224,10 +224,13 @@ fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
 
 fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
     let tasked = assumed::refuse_moving(&request.scene).and_then(|()| task(request, host));
-    let (task, instance) = match tasked {
+    let (mut task, instance) = match tasked {
         Ok(tasked) => tasked,
         Err(refusal) => return Response::Refused(refusal),
     };
+    // A front has the costs that are named, and no penalty besides.
+    let named = request.objective.as_ref();
+    task.objective = named.unwrap_or_else(|| instance.objective()).clone();
     let costs = task.objective.costs().len();
     if !(2..=3).contains(&costs) {
         let fault = Fault::at(
