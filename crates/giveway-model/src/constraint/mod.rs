@@ -12,6 +12,7 @@
 mod edited;
 mod faults;
 mod heading;
+mod weaker;
 mod words;
 mod written;
 mod zone;
@@ -229,6 +230,35 @@ impl Constraint {
         let times = self.times().into_iter();
         let named = times.flat_map(|times| times.from.into_iter().chain(times.to));
         named.filter(|&time| time < MAX_NUMBER).max().unwrap_or(0)
+    }
+
+    /// The agents that it names.
+    pub fn named_agents(&self) -> impl Iterator<Item = &str> {
+        let own = match &self.kind {
+            ConstraintKind::Sequence { agent, .. } => vec![agent],
+            ConstraintKind::Before { first, second } => vec![&first.agent, &second.agent],
+            ConstraintKind::Capacity { .. }
+            | ConstraintKind::Closed { .. }
+            | ConstraintKind::OneWay { .. }
+            | ConstraintKind::Gap { .. }
+            | ConstraintKind::Apart { .. }
+            | ConstraintKind::Visit { .. }
+            | ConstraintKind::Arrive { .. }
+            | ConstraintKind::Late { .. }
+            | ConstraintKind::Depart { .. }
+            | ConstraintKind::NoWaiting { .. }
+            | ConstraintKind::Turns { .. }
+            | ConstraintKind::Avoid { .. } => Vec::new(),
+        };
+        own.into_iter()
+            .chain(self.agents.iter().flatten())
+            .map(String::as_str)
+    }
+
+    /// The agent that it is about, where it names one and no other.
+    pub fn single_agent(&self) -> Option<&str> {
+        let mut names = self.named_agents();
+        names.next().filter(|&one| names.all(|name| name == one))
     }
 
     /// Whether it is about several agents at once.
