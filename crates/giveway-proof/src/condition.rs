@@ -36,6 +36,7 @@ impl Claim {
             | Condition::Move { .. }
             | Condition::Charge { .. }
             | Condition::Before { .. }
+            | Condition::Keeps(_)
             | Condition::Below { agent: Some(_), .. }) => Some(Self {
                 condition: Some(condition),
                 ..Self::default()
@@ -78,6 +79,7 @@ pub(crate) fn words(condition: &Condition) -> String {
         | Condition::Move { .. }
         | Condition::Charge { .. }
         | Condition::Before { .. }
+        | Condition::Keeps(_)
         | Condition::Below { agent: None, .. } => condition.clause().does,
     }
 }

@@ -70,6 +70,13 @@ impl Condition {
                     &tr!("a plan in which a robot ..." => "is at {at} before {to}", at, to),
                 )
             }
+            Self::Keeps(rule) => {
+                let rule = rule.sentence();
+                Clause {
+                    would: tr!("If ..." => "this rule held (\"{rule}\")", rule),
+                    does: tr!("a plan in which ..." => "this rule holds: \"{rule}\"", rule),
+                }
+            }
             Self::Below {
                 agent: Some(agent),
                 cost,

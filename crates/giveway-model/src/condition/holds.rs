@@ -4,7 +4,7 @@
 //! nothing with the encoding of the same condition.
 
 use super::{Act, Condition, Times, Visit};
-use crate::check::{Step, Walk, cost_of, steps};
+use crate::check::{Rule, Step, Walk, check, cost_of, steps};
 use crate::{Cell, Instance, Plan};
 
 impl Condition {
@@ -61,6 +61,14 @@ impl Condition {
             }
             Self::Below { agent, cost, limit } => {
                 cost_of(instance, plan, agent.as_deref(), *cost)? < *limit
+            }
+            Self::Keeps(rule) => {
+                for name in rule.named_agents() {
+                    walk(name)?;
+                }
+                let alone = instance.with_only_rule(rule);
+                let violations = check(&alone, plan).violations;
+                violations.iter().all(|it| it.rule != Rule::Constraint)
             }
         })
     }

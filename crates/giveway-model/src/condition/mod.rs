@@ -18,7 +18,7 @@ mod written;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
-use crate::{Cell, Cost};
+use crate::{Cell, Constraint, Cost};
 
 pub use clause::Clause;
 pub(crate) use holds::{first_visit, goes, is_at, moves, turns};
@@ -79,6 +79,8 @@ pub enum Condition {
         /// The number.
         limit: u32,
     },
+    /// The plan keeps a rule beside those of its scene. The rule forbids something.
+    Keeps(Box<Constraint>),
 }
 
 /// An act of an agent on its way.
@@ -164,19 +166,21 @@ impl Condition {
             }
             Self::Visit { agent, .. } | Self::Below { agent, .. } => agent.as_deref(),
             Self::Before { first, .. } => Some(&first.agent),
+            Self::Keeps(rule) => rule.single_agent(),
         }
     }
 
     /// All agents that it names.
     pub fn agents(&self) -> impl Iterator<Item = &str> {
-        let other = match self {
-            Self::Before { second, .. } => Some(second.agent.as_str()),
+        let (one, others) = match self {
+            Self::Before { second, .. } => (self.agent(), vec![second.agent.as_str()]),
+            Self::Keeps(rule) => (None, rule.named_agents().collect()),
             Self::Never { .. }
             | Self::Visit { .. }
             | Self::Move { .. }
             | Self::Charge { .. }
-            | Self::Below { .. } => None,
+            | Self::Below { .. } => (self.agent(), Vec::new()),
         };
-        self.agent().into_iter().chain(other)
+        one.into_iter().chain(others)
     }
 }

@@ -43,6 +43,7 @@ impl Serialize for Condition {
             | Self::Move { .. }
             | Self::Charge { .. }
             | Self::Before { .. }
+            | Self::Keeps(_)
             | Self::Below { agent: None, .. }) => {
                 Question::with_contrast(condition).map(Written::Contrast)
             }
@@ -80,7 +81,8 @@ impl<'de> Deserialize<'de> for Condition {
                     | Self::Visit { .. }
                     | Self::Move { .. }
                     | Self::Charge { .. }
-                    | Self::Before { .. }),
+                    | Self::Before { .. }
+                    | Self::Keeps(_)),
                 ) => Ok(condition),
             },
             Written::AtMost {

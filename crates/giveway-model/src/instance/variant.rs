@@ -6,7 +6,7 @@
 //! of fewer agents are as different as before, and a vertex stays a vertex.
 
 use super::{Instance, MAX_CAPACITY};
-use crate::{Agent, AtGoal, Battery, Cell, Ground};
+use crate::{Agent, AtGoal, Battery, Cell, Constraint, Ground, constraint::ConstraintKind};
 
 impl Instance {
     /// Keeps some of the agents, and their order.
@@ -26,6 +26,13 @@ impl Instance {
     /// Keeps the first agents only, so many of them.
     pub fn truncate_agents(&mut self, count: usize) {
         self.agents.truncate(count);
+        let agents = &self.agents;
+        self.constraints.retain_mut(|rule| rule.keep_agents(agents));
+    }
+
+    /// Leaves an agent out, and with it the rules that bind nobody any more.
+    pub fn leave_out(&mut self, name: &str) {
+        self.agents.retain(|agent| agent.name != name);
         let agents = &self.agents;
         self.constraints.retain_mut(|rule| rule.keep_agents(agents));
     }
@@ -92,6 +99,38 @@ impl Instance {
     /// Lets agents vanish at their goals.
     pub const fn let_agents_vanish(&mut self) {
         self.rules.at_goal = AtGoal::Vanish;
+    }
+
+    /// Switches a rule of the scene's own off, by its number.
+    pub fn switch_off(&mut self, rule: usize) {
+        if let Some(rule) = self.constraints.get_mut(rule) {
+            rule.off = true;
+        }
+    }
+
+    /// Gives a rule of the scene's own another kind, which asks for less, by its number.
+    pub fn weaken_rule(&mut self, rule: usize, kind: ConstraintKind) {
+        if let Some(rule) = self.constraints.get_mut(rule) {
+            rule.kind = kind;
+        }
+    }
+
+    /// The same instance with one more rule, which fits it.
+    #[must_use]
+    pub fn with_rule(mut self, rule: &Constraint) -> Self {
+        self.constraints.push(Constraint {
+            off: false,
+            ..rule.clone()
+        });
+        self
+    }
+
+    /// The same instance with this rule, which fits it, as its only one.
+    #[must_use]
+    pub fn with_only_rule(&self, rule: &Constraint) -> Self {
+        let mut alone = self.clone();
+        alone.constraints.clear();
+        alone.with_rule(rule)
     }
 
     /// Takes obstacles away.

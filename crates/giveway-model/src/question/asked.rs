@@ -1,13 +1,13 @@
 //! The parts of a question, and the question that they make.
 
 use super::{Question, WordsError};
-use crate::{Cell, tr};
+use crate::{Cell, Constraint, tr};
 
 /// The word that stands for whichever agent, in `no-visit any`.
 const ANY: &str = "any";
 
 /// All kinds, in the order in which help lists them.
-pub(super) const KINDS: [&str; 19] = [
+pub(super) const KINDS: [&str; 20] = [
     "wait",
     "charge",
     "no-charge",
@@ -25,6 +25,7 @@ pub(super) const KINDS: [&str; 19] = [
     "moves",
     "waits",
     "yield",
+    "rule",
     "unsolvable",
     "plan",
 ];
@@ -153,6 +154,7 @@ impl Asked {
                 to: self.agent(1)?,
                 at: self.need("at", self.at)?,
             },
+            "rule" => Question::Rule { rule: self.rule()? },
             "unsolvable" => Question::Unsolvable,
             "plan" => Question::Plan,
             kind => return Err(WordsError::Kind(kind.to_owned())),
@@ -173,6 +175,19 @@ impl Asked {
         })
     }
 
+    /// The rule that is said in place of agents, in one part or word by word.
+    fn rule(&self) -> Result<Box<Constraint>, WordsError> {
+        let words = self.agents.join(" ");
+        let rule = Constraint::from_words(words.trim().trim_matches('"'));
+        rule.map(Box::new).map_err(|fault| {
+            WordsError::Sentence(tr!(
+                "In the rule: found {found}, expected {expected}.",
+                found = fault.found,
+                expected = fault.expected
+            ))
+        })
+    }
+
     fn need<T>(&self, option: &str, value: Option<T>) -> Result<T, WordsError> {
         value.ok_or_else(|| {
             WordsError::Sentence(tr!(
@@ -185,7 +200,11 @@ impl Asked {
 
     /// Refuses what the question does not use, rather than to answer another.
     fn nothing_more(&self, question: &Question) -> Result<(), WordsError> {
-        let used = Self::of(question);
+        let mut used = Self::of(question);
+        if let Question::Rule { .. } = question {
+            // It may be said in other words.
+            used.agents.clone_from(&self.agents);
+        }
         if let Some(agent) = self.agents.get(used.agents.len()) {
             let kind = &self.kind;
             return Err(WordsError::Sentence(tr!(
@@ -261,6 +280,7 @@ impl Asked {
                 asked.agents.push(to.clone());
                 asked.at = Some(*at);
             }
+            Question::Rule { rule } => asked.agents = vec![format!("\"{}\"", rule.sentence())],
             Question::Arrival { .. }
             | Question::Makespan
             | Question::SumOfCosts

@@ -106,6 +106,7 @@ impl Question {
             Self::Charges { agent } => below(agent.as_ref(), Cost::Charges, None)?,
             Self::Moves { agent } => below(agent.as_ref(), Cost::Moves, None)?,
             Self::Waits { agent } => below(agent.as_ref(), Cost::Waits, None)?,
+            Self::Rule { rule } => Condition::Keeps(rule.clone()),
             Self::Unsolvable | Self::Plan => return None,
         })
     }
@@ -172,6 +173,7 @@ impl Question {
                 to: second.agent,
                 at: first.cell,
             },
+            Condition::Keeps(rule) => Self::Rule { rule },
             Condition::Before { .. } | Condition::Below { .. } => return None,
         })
     }

@@ -7,7 +7,7 @@ use super::not_so::not_so;
 use super::{Misfit, Question, so};
 use crate::check::Walk;
 use crate::condition::{Times, first_visit, is_at};
-use crate::{Cell, Fault, Ground, Instance, Plan, tr, tr_later};
+use crate::{Cell, Constraint, Fault, Ground, Instance, Plan, tr, tr_later};
 
 /// Agents that a fault lists by name.
 const NAMED: usize = 8;
@@ -19,6 +19,9 @@ const NAMED: usize = 8;
 /// The first thing that it names and that does not exist.
 pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfit> {
     let about = Names { instance };
+    if let Question::Rule { rule } = question {
+        return about.rule(rule);
+    }
     for name in question.agents() {
         about.agent(name)?;
     }
@@ -77,6 +80,7 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }
+        | Question::Rule { .. }
         | Question::Unsolvable
         | Question::Plan => Ok(()),
     }
@@ -116,6 +120,9 @@ pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(),
     if let Some(is_so) = already_least(question, instance, plan) {
         return Err(Misfit::NotSo { is_so, ask: None });
     }
+    if let Question::Rule { rule } = question {
+        return kept(rule, question, instance, plan);
+    }
     // The question fits where the plan does not meet the contrast.
     let order = matches!(question, Question::Order { .. });
     if !order && holds(question, instance, plan, plan) != Some(true) {
@@ -129,6 +136,32 @@ pub fn fits(question: &Question, instance: &Instance, plan: &Plan) -> Result<(),
         return Ok(());
     };
     not_so(question, instance, &walk)
+}
+
+/// A rule that the plan breaks fits; one that it keeps, or that costs only, does not.
+fn kept(
+    rule: &Constraint,
+    question: &Question,
+    instance: &Instance,
+    plan: &Plan,
+) -> Result<(), Misfit> {
+    let is_alike = |own: &Constraint| own.kind == rule.kind && own.agents == rule.agents;
+    let mut in_force = instance.constraints_in_force();
+    let sentence = rule.sentence();
+    let is_so = if in_force.any(|own| is_alike(own.constraint)) {
+        tr!(
+            "It is so: the scene has this rule, \"{sentence}\".",
+            sentence
+        )
+    } else if holds(question, instance, plan, plan) == Some(true) {
+        tr!(
+            "It is so: this plan keeps the rule \"{sentence}\".",
+            sentence
+        )
+    } else {
+        return Ok(());
+    };
+    Err(Misfit::NotSo { is_so, ask: None })
 }
 
 /// The first agent that passes where nobody is said to.
@@ -217,6 +250,32 @@ struct Names<'a> {
 }
 
 impl Names<'_> {
+    /// A rule that could be one of the scene's own, and that forbids something.
+    fn rule(&self, rule: &Constraint) -> Result<(), Misfit> {
+        if rule.is_penalty() {
+            let found = tr!(
+                "a rule that forbids nothing, but has a price: \"{sentence}\"",
+                sentence = rule.sentence()
+            );
+            return fault("rule", found, tr_later!("a rule that a plan can break"));
+        }
+        let mut scene = self.instance.to_scene();
+        scene.constraints = vec![Constraint {
+            off: false,
+            ..rule.clone()
+        }];
+        let Err(faults) = Instance::new(scene) else {
+            return Ok(());
+        };
+        match faults.into_iter().next() {
+            None => Ok(()),
+            Some(mut fault) => {
+                fault.place = fault.place.replacen("constraints[0]", "rule", 1);
+                Err(Misfit::Fault { fault })
+            }
+        }
+    }
+
     fn agent(&self, name: &str) -> Result<(), Misfit> {
         let agents = self.instance.agents();
         if agents.iter().any(|agent| agent.name == name) {

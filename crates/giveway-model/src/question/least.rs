@@ -61,6 +61,7 @@ pub(super) fn already_least(
         | Question::Slow { .. }
         | Question::Order { .. }
         | Question::Yield { .. }
+        | Question::Rule { .. }
         | Question::Unsolvable
         | Question::Plan => return None,
     };

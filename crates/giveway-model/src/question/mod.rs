@@ -20,7 +20,7 @@ mod words;
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
-use crate::Cell;
+use crate::{Cell, Constraint};
 
 pub use asked::Asked;
 pub use fits::{fits, names_exist};
@@ -181,6 +181,11 @@ pub enum Question {
         /// The cell.
         at: Cell,
     },
+    /// Why does the plan not keep this rule, which is none of the scene's?
+    Rule {
+        /// The rule; it forbids something.
+        rule: Box<Constraint>,
+    },
     /// Why is there no plan?
     Unsolvable,
     /// Is this plan all right, and is it the best?
@@ -208,6 +213,7 @@ impl Question {
             Self::Moves { .. } => "moves",
             Self::Waits { .. } => "waits",
             Self::Yield { .. } => "yield",
+            Self::Rule { .. } => "rule",
             Self::Unsolvable => "unsolvable",
             Self::Plan => "plan",
         }
@@ -231,14 +237,16 @@ impl Question {
             | Self::Charges { agent }
             | Self::Moves { agent }
             | Self::Waits { agent } => agent.as_deref(),
+            Self::Rule { rule } => rule.single_agent(),
             Self::Makespan | Self::SumOfCosts | Self::Unsolvable | Self::Plan => None,
         }
     }
 
     /// All agents that the question names.
     pub fn agents(&self) -> impl Iterator<Item = &str> {
-        let other = match self {
-            Self::Yield { to, .. } => Some(to.as_str()),
+        let (one, others) = match self {
+            Self::Yield { to, .. } => (self.agent(), vec![to.as_str()]),
+            Self::Rule { rule } => (None, rule.named_agents().collect()),
             Self::Wait { .. }
             | Self::Charge { .. }
             | Self::NoCharge { .. }
@@ -256,9 +264,9 @@ impl Question {
             | Self::Moves { .. }
             | Self::Waits { .. }
             | Self::Unsolvable
-            | Self::Plan => None,
+            | Self::Plan => (self.agent(), Vec::new()),
         };
-        self.agent().into_iter().chain(other)
+        one.into_iter().chain(others)
     }
 
     /// The times that the question names, in time steps: of a wait its begin and its end.
@@ -281,6 +289,7 @@ impl Question {
             | Self::Charges { .. }
             | Self::Moves { .. }
             | Self::Waits { .. }
+            | Self::Rule { .. }
             | Self::Unsolvable
             | Self::Plan => Vec::new(),
         }

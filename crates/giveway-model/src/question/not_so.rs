@@ -258,6 +258,7 @@ pub(super) fn not_so(
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }
+        | Question::Rule { .. }
         | Question::Unsolvable
         | Question::Plan => Ok(()),
     }

@@ -143,6 +143,9 @@ pub fn sentence(question: &Question) -> String {
             to,
             cell
         ),
+        Question::Rule { rule } => {
+            tr!("Why is it not so: \"{rule}\"?", rule = rule.sentence())
+        }
         Question::Unsolvable => tr!("Why is there no plan?").to_owned(),
         Question::Plan => tr!("Is this plan the best?").to_owned(),
     }

@@ -43,7 +43,7 @@ impl<'a> Watch<'a> {
         let other = match condition {
             Condition::Before { second, .. } => number(&second.agent),
             // A limit on the costs of all is one of the claim.
-            Condition::Below { agent: None, .. } => return None,
+            Condition::Below { agent: None, .. } | Condition::Keeps(_) => return None,
             Condition::Never { .. }
             | Condition::Visit { .. }
             | Condition::Move { .. }
@@ -58,7 +58,8 @@ impl<'a> Watch<'a> {
             Condition::Visit { .. }
             | Condition::Charge { .. }
             | Condition::Before { .. }
-            | Condition::Below { .. } => None,
+            | Condition::Below { .. }
+            | Condition::Keeps(_) => None,
         };
         let not_resting = match condition {
             Condition::Never {
@@ -79,7 +80,8 @@ impl<'a> Watch<'a> {
             | Condition::Move { .. }
             | Condition::Charge { .. }
             | Condition::Before { .. }
-            | Condition::Below { .. } => None,
+            | Condition::Below { .. }
+            | Condition::Keeps(_) => None,
         };
         Some(Self {
             condition,
@@ -125,7 +127,7 @@ impl<'a> Watch<'a> {
             | Condition::Move { .. }
             | Condition::Charge { .. }
             | Condition::Before { .. } => memory.done,
-            Condition::Never { .. } | Condition::Below { .. } => {
+            Condition::Never { .. } | Condition::Below { .. } | Condition::Keeps(_) => {
                 self.not_resting.is_none_or(|time| memory.time > time)
             }
         }
@@ -176,7 +178,7 @@ impl<'a> Watch<'a> {
                 }
                 Act::Visit(_) => false,
             },
-            Condition::Visit { .. } | Condition::Before { .. } => false,
+            Condition::Visit { .. } | Condition::Before { .. } | Condition::Keeps(_) => false,
         };
         (!excluded).then_some(memory)
     }
@@ -217,7 +219,8 @@ impl<'a> Watch<'a> {
                 ..
             }
             | Condition::Move { .. }
-            | Condition::Charge { .. } => false,
+            | Condition::Charge { .. }
+            | Condition::Keeps(_) => false,
         };
         // Once it is done, it does not matter any more.
         memory.late &= !memory.done;

@@ -50,6 +50,7 @@ pub(super) fn require(
             let (early, late) = (find(&first.agent)?, find(&second.agent)?);
             before(cnf, (early, first.cell), (late, second.cell));
         }
+        Condition::Keeps(_) => return Err(NoFormula::NoAgent),
         Condition::Below {
             agent,
             cost,
