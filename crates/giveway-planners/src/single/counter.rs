@@ -116,7 +116,8 @@ impl Stay {
         let begun = match run {
             0 if now >= self.times.first() => return false, // it is not there, or too late
             0 => self.times.first(),
-            run => now + 1 - run,
+            // (Of joint states the time may be an earlier one, where no last time matters.)
+            run => now.saturating_add(1).saturating_sub(run),
         };
         self.rests && v == self.at && begun.saturating_add(self.steps) <= self.times.last()
     }
