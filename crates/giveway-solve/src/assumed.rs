@@ -19,7 +19,9 @@ use giveway_model::{
     tr,
 };
 
-pub(crate) use others::{weaken_changed, weaken_explained, weaken_freedom, weaken_planned};
+pub(crate) use others::{
+    weaken_changed, weaken_explained, weaken_freedom, weaken_planned, weaken_priced,
+};
 
 use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status, budget::Stop};
 

@@ -1,15 +1,15 @@
-//! Smallest sets of agents that meet every core (hitting sets).
+//! Smallest sets of things, by their numbers, that meet every core (hitting sets).
 
 use std::collections::BTreeSet;
 
 use crate::budget::{Budget, Stop};
 
-/// Equally small sets that are compared by their costs.
-pub(super) const MOST_SETS: usize = 1000;
+/// Equally small sets that are looked at.
+pub(crate) const MOST_SETS: usize = 1000;
 
-/// All sets of so many agents that meet every core, in order; one too many where
+/// All sets of so many that meet every core, in order; one too many where
 /// there are more than are looked at.
-pub(super) fn hitting(
+pub(crate) fn hitting(
     cores: &[BTreeSet<usize>],
     size: usize,
     budget: &Budget,
@@ -19,7 +19,7 @@ pub(super) fn hitting(
     Ok(found)
 }
 
-/// A core that a set does not meet yet needs one of its agents.
+/// A core that a set does not meet yet needs one of its numbers.
 fn extend(
     cores: &[BTreeSet<usize>],
     size: usize,
@@ -37,9 +37,9 @@ fn extend(
         return Ok(());
     };
     if set.len() < size {
-        for &agent in missed {
+        for &number in missed {
             let mut larger = set.clone();
-            larger.insert(agent);
+            larger.insert(number);
             extend(cores, size, &larger, found, budget)?;
         }
     }

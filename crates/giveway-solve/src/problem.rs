@@ -9,7 +9,7 @@ use giveway_planners::problem as planners;
 
 use crate::{
     budget::{Budget, Stop},
-    impose::{ImposeError, Unmeetable, impose},
+    impose::{ImposeError, Unmeetable, impose, with_rules},
     search::free_of_collisions,
     single::{Bounds, NoPlanAlone},
     walk::{Walk, costs_of},
@@ -93,6 +93,9 @@ impl Problem {
         conditions: impl IntoIterator<Item = &'a Condition>,
         budget: &Budget,
     ) -> Result<Self, ImposeError> {
+        let conditions: Vec<&Condition> = conditions.into_iter().collect();
+        let with_rules = with_rules(instance, conditions.iter().copied());
+        let instance = with_rules.as_ref().unwrap_or(instance);
         let mut problem = Self::of(planners::Problem::relaxed(instance, relaxed, budget)?);
         for condition in conditions {
             impose(condition, instance, &mut problem, budget)?;

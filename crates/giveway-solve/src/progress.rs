@@ -4,7 +4,9 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cost, Costs, Plan};
 use serde::Serialize;
 
-use crate::{explain::ExplainAnswer, freedom::FreedomAnswer, trace::TraceEvent};
+use crate::{
+    explain::ExplainAnswer, freedom::FreedomAnswer, price::PriceAnswer, trace::TraceEvent,
+};
 
 /// An event on the way to an answer.
 #[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
@@ -56,6 +58,11 @@ pub enum Progress {
     Freedom {
         /// The answer as far as it is known; `pending` names what is to come.
         answer: Box<FreedomAnswer>,
+    },
+    /// The price of one more rule became known.
+    Priced {
+        /// The answer as far as it is known; `pending` counts what is to come.
+        answer: Box<PriceAnswer>,
     },
     /// A certificate is begun.
     Exporting {

@@ -9,7 +9,7 @@ use crate::change::ChangeRequest;
 use crate::together::TogetherRequest;
 use crate::{
     CertifyRequest, ExportRequest, explain::ExplainRequest, freedom::FreedomRequest,
-    plan::PlanRequest,
+    plan::PlanRequest, price::PriceRequest,
 };
 
 /// A request to the [service](crate::service).
@@ -36,6 +36,8 @@ pub enum Request {
     Freedom(FreedomRequest),
     /// Why can some agents not all keep their limits?
     Together(TogetherRequest),
+    /// What does each rule of the scene's own cost?
+    Price(PriceRequest),
 }
 
 /// A request that needs no more than search and judge.
@@ -61,6 +63,7 @@ impl Request {
             Self::Plan(request) => Some(&request.scene),
             Self::Freedom(request) => Some(&request.scene),
             Self::Together(request) => Some(&request.scene),
+            Self::Price(request) => Some(&request.scene),
         }
     }
 
@@ -69,9 +72,10 @@ impl Request {
         match self {
             // What is exported was certified.
             Self::Solve(_) | Self::Audit(_) | Self::Plan(_) | Self::Export(_) => None,
+            // Where the world changes, it looks at the rules itself.
+            Self::Explain(_) | Self::Price(_) => None,
             Self::Check(request) if request.changes.is_none() => None,
             Self::Check(request) => Some(&request.scene),
-            Self::Explain(request) => Some(&request.scene),
             Self::Certify(request) => Some(&request.scene),
             Self::Change(request) => Some(&request.scene),
             Self::Freedom(request) => Some(&request.scene),
@@ -93,6 +97,7 @@ impl Request {
             | Self::Audit(_)
             | Self::Plan(_)
             | Self::Together(_)
+            | Self::Price(_)
             | Self::Freedom(_) => None,
         }
     }

@@ -20,6 +20,7 @@ use crate::{
     freedom::{self, FreedomAnswer},
     pareto,
     plan::{self, PlanAnswer},
+    price::{self, PriceAnswer},
     solve::{self, SolveTask},
     together::{self, TogetherAnswer},
 };
@@ -57,6 +58,8 @@ pub enum Response {
     Together(Box<TogetherAnswer>),
     /// To [`Request::Freedom`].
     Freedom(Box<FreedomAnswer>),
+    /// To [`Request::Price`].
+    Priced(Box<PriceAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -182,6 +185,13 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
         },
         Request::Together(request) => match together::serve(request, host) {
             Ok(answer) => Response::Together(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Price(request) => match price::serve(request, host) {
+            Ok(mut answer) => {
+                assumed::weaken_priced(&request.scene, &mut answer);
+                Response::Priced(Box::new(answer))
+            }
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Change(request) => serve_change(request, host),

@@ -135,7 +135,7 @@ pub(crate) struct Solved {
     pub(crate) answer: SolveAnswer,
     pub(crate) reach: Option<Proved>,
     /// Agents that cannot all arrive, where there is no plan.
-    clash: Vec<String>,
+    pub(crate) clash: Vec<String>,
 }
 
 /// The search for the best plan: it begins with the plan that is known, and

@@ -13,6 +13,7 @@ use crate::{
     explain::ExplainAnswer,
     freedom::FreedomAnswer,
     plan::{PlanAnswer, PlanEnd},
+    price::PriceAnswer,
 };
 
 /// Whether the file's problem may have other plans, or fewer, than the scene.
@@ -42,6 +43,16 @@ pub(crate) fn weaken_explained(scene: &Scene, answer: &mut ExplainAnswer) {
 pub(crate) fn weaken_freedom(scene: &Scene, answer: &mut FreedomAnswer) {
     if is_other_problem(&scene.assumptions) {
         answer.reach = Reach::default();
+    }
+}
+
+/// Weakens the prices of rules: with the rules of the file's problem they may be others.
+pub(crate) fn weaken_priced(scene: &Scene, answer: &mut PriceAnswer) {
+    if is_other_problem(&scene.assumptions) {
+        answer.reach = Reach::default();
+        for price in &mut answer.prices {
+            price.exact = false;
+        }
     }
 }
 

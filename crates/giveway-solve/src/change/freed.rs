@@ -17,11 +17,11 @@ use giveway_model::{
 
 use super::{
     CauseKind, Method,
-    hitting::{MOST_SETS, hitting},
     keep::{self, MethodRefusal},
 };
 use crate::{
     budget::{Budget, Stop},
+    hitting::{MOST_SETS, hitting},
     problem::{NeverAlone, Problem, ProblemError},
     search::{Aim, Bounded, ForEver, Horizon, NoPlan, Proved, find},
     single::Bounds,

@@ -13,7 +13,6 @@
 mod answer;
 mod compare;
 mod freed;
-mod hitting;
 mod horizon;
 mod keep;
 mod method;

@@ -95,6 +95,8 @@ pub enum FactKind {
     Presence,
     /// An arrived agent without a goal blocks the cell where it rests.
     Rest,
+    /// A rule of the scene's own is in force.
+    Constraint,
 }
 
 /// Whether leaving out one fact alone, all others of the instance kept, gives a
@@ -165,6 +167,9 @@ pub struct Fact {
     pub agents: Vec<String>,
     /// Where, for a waypoint or an obstacle.
     pub cell: Option<Cell>,
+    /// The number in the scene, from 0, of a rule of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub index: Option<u32>,
     /// When it began, in steps of the whole plan, for a breakdown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time: Option<u32>,
@@ -269,6 +274,31 @@ pub enum Edit {
     LeaveOut {
         /// The agent.
         agent: String,
+    },
+    /// Switch a rule of the scene's own off.
+    SwitchOff {
+        /// Its number in the scene, from 0.
+        index: u32,
+        /// The rule in words: its name, or else its sentence.
+        rule: String,
+    },
+    /// Allow more agents in the zone of a rule, or more wait steps on end.
+    AllowMore {
+        /// Its number in the scene, from 0.
+        index: u32,
+        /// The rule in words: its name, or else its sentence.
+        rule: String,
+        /// The new number.
+        most: u32,
+    },
+    /// Give the agents of a rule longer: a later end of its times, or a later arrival.
+    GiveUntil {
+        /// Its number in the scene, from 0.
+        index: u32,
+        /// The rule in words: its name, or else its sentence.
+        rule: String,
+        /// The new last time.
+        to: u32,
     },
 }
 

@@ -10,6 +10,7 @@ use std::rc::Rc;
 use giveway_model::{
     Condition, Cost, Costs, Instance, Objective, Plan,
     check::{self, Rule, Violation, arrivals, check},
+    constraint::ConstraintKind,
 };
 
 use crate::{
@@ -164,16 +165,56 @@ pub(crate) fn violations(instance: &Instance, relaxed: &Relaxed, plan: &Plan) ->
     let index = |name: &String| instance.agents().iter().position(|a| a.name == *name);
     violations.retain(|violation| {
         let agents: Vec<usize> = violation.agents.iter().filter_map(index).collect();
+        let is_gone = |agent: usize, steps: u32| {
+            let arrival = arrivals.get(agent).copied().flatten();
+            let last = arrival.map(|at| at.saturating_add(steps));
+            relaxed.gone.contains(&agent) && last.is_some_and(|last| violation.time > last)
+        };
+        if let Some(rule) = rule_between(instance, violation) {
+            let there = |steps| agents.iter().filter(|&&a| !is_gone(a, steps)).count();
+            return match rule {
+                Broken::Capacity(most) => there(0) > most as usize,
+                // The last cell of one that is gone stays closed for so many steps.
+                Broken::Gap(steps) => there(steps) == agents.len(),
+                Broken::Apart => there(0) == agents.len(),
+            };
+        }
         let collides = matches!(violation.rule, Rule::Vertex | Rule::Swap | Rule::SlowSwap);
         let [a, b] = agents[..] else { return true };
         if !collides {
             return true;
         }
-        let is_gone = |agent: usize| {
-            let arrival = arrivals.get(agent).copied().flatten();
-            relaxed.gone.contains(&agent) && arrival.is_some_and(|at| violation.time > at)
-        };
-        !(relaxed.ignores(a, b) || is_gone(a) || is_gone(b))
+        !(relaxed.ignores(a, b) || is_gone(a, 0) || is_gone(b, 0))
     });
     violations
+}
+
+/// A rule between agents that counts those at rest, and is broken.
+enum Broken {
+    Capacity(u32),
+    Gap(u32),
+    Apart,
+}
+
+/// The rule between agents that a violation is one of.
+fn rule_between(instance: &Instance, violation: &Violation) -> Option<Broken> {
+    let index = violation.broken.as_ref()?.index;
+    match &instance.constraints().get(index as usize)?.kind {
+        // An agent keeps out of a zone for nobody by itself.
+        ConstraintKind::Capacity { most: 0, .. } => None,
+        ConstraintKind::Capacity { most, .. } => Some(Broken::Capacity(*most)),
+        ConstraintKind::Gap { steps } => Some(Broken::Gap(*steps)),
+        ConstraintKind::Apart { .. } => Some(Broken::Apart),
+        ConstraintKind::Closed { .. }
+        | ConstraintKind::OneWay { .. }
+        | ConstraintKind::Sequence { .. }
+        | ConstraintKind::Visit { .. }
+        | ConstraintKind::Arrive { .. }
+        | ConstraintKind::Late { .. }
+        | ConstraintKind::Depart { .. }
+        | ConstraintKind::Before { .. }
+        | ConstraintKind::NoWaiting { .. }
+        | ConstraintKind::Turns { .. }
+        | ConstraintKind::Avoid { .. } => None,
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Battery, Cell, Instance};
+use giveway_model::{Battery, Cell, Instance, constraint::ConstraintKind};
 
 use super::{answer::Edit, group::Variant};
 use crate::problem::Relaxed;
@@ -21,6 +21,19 @@ pub fn edited_instance(instance: &Instance, edits: &[Edit]) -> Instance {
     edited(instance, edits, None).instance
 }
 
+/// Gives a rule of the scene's own a kind that asks for less, where it has one.
+fn weaken(
+    instance: &mut Instance,
+    index: u32,
+    weaker: impl Fn(&ConstraintKind) -> Option<ConstraintKind>,
+) {
+    let index = index as usize;
+    let rule = instance.constraints().get(index);
+    if let Some(kind) = rule.and_then(|rule| weaker(&rule.kind)) {
+        instance.weaken_rule(index, kind);
+    }
+}
+
 /// The instance after some edits.
 pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -> Variant {
     let mut after = instance.clone();
@@ -28,6 +41,7 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
     let mut free: BTreeSet<Cell> = BTreeSet::new();
     let mut chargers: BTreeSet<Cell> = BTreeSet::new();
     let mut normal: BTreeSet<Cell> = BTreeSet::new();
+    let mut left_out: Vec<&str> = Vec::new();
     for edit in edits {
         let number = |name: &String| after.agents().iter().position(|a| a.name == *name);
         match edit {
@@ -58,8 +72,19 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
                 }
             }
             Edit::Vanish => after.let_agents_vanish(),
-            Edit::LeaveOut { agent } => after.retain_agents(|a| a.name != *agent),
+            // At the end, since rules that bind nobody any more go with it.
+            Edit::LeaveOut { agent } => left_out.push(agent.as_str()),
+            Edit::SwitchOff { index, .. } => after.switch_off(*index as usize),
+            Edit::AllowMore { index, most, .. } => {
+                weaken(&mut after, *index, |kind| kind.with_most(*most));
+            }
+            Edit::GiveUntil { index, to, .. } => {
+                weaken(&mut after, *index, |kind| kind.with_last_time(*to));
+            }
         }
+    }
+    for agent in left_out {
+        after.leave_out(agent);
     }
     after.remove_obstacles(|cell| free.contains(&cell));
     after.make_normal(|cell| normal.contains(&cell));

@@ -23,7 +23,7 @@ use super::{
     words,
 };
 use crate::{
-    Host, Progress, Refusal, Status,
+    Host, Progress, Refusal, Status, assumed,
     budget::Budget,
     problem::Relaxed,
     solve::{self, SolveTask, Solved},
@@ -39,6 +39,8 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     if let Some(objective) = &request.objective {
         instance = instance.with_objective(objective.clone());
     }
+    let in_force = instance.in_force(instance.objective().clone());
+    let instance = instance.with_objective(in_force);
     let budget = Rc::new(Budget::new(host, request.limits));
     let Some(changes) = counting(request) else {
         let asked = PlanQuestion {
@@ -50,6 +52,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         };
         return answered(&asked, &budget, host);
     };
+    assumed::refuse_constrained(&request.scene)?;
     let world = ChangedWorld::new(&instance, &changes, request.plan.as_ref())?;
     let solvable = !matches!(request.question, Question::Unsolvable);
     if solvable {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Breakdown, Cell, Grid, Instance, Plan, ends_with_rest};
+use giveway_model::{Breakdown, Cell, Constraint, Grid, Instance, Plan, ends_with_rest};
 
 use super::answer::{Fact, FactKind, Helps};
 use super::words;
@@ -33,6 +33,8 @@ pub(crate) enum Group {
     Floor,
     /// It has broken down at a time, and is held.
     Breakdown(usize, u32),
+    /// A rule of the scene's own is in force, by its number there.
+    Constraint(usize),
 }
 
 impl Group {
@@ -48,6 +50,7 @@ impl Group {
             Self::Deadline => FactKind::Deadline,
             Self::Floor => FactKind::Floor,
             Self::Breakdown(..) => FactKind::Breakdown,
+            Self::Constraint(_) => FactKind::Constraint,
         }
     }
 
@@ -60,17 +63,31 @@ impl Group {
             | Self::Stay(a)
             | Self::Breakdown(a, _) => vec![a],
             Self::Collision(a, b) => vec![a, b],
-            Self::Obstacle(_) | Self::Slow | Self::Deadline | Self::Floor => Vec::new(),
+            Self::Obstacle(_) | Self::Slow | Self::Deadline | Self::Floor | Self::Constraint(_) => {
+                Vec::new()
+            }
         }
     }
 
     /// The fact for people.
     pub(crate) fn fact(self, instance: &Instance, within: Option<u32>) -> Fact {
         let name = |&a: &usize| instance.agents().get(a).map_or("", |a| a.name.as_str());
-        let agents: Vec<String> = self.agents().iter().map(|a| name(a).to_owned()).collect();
+        let rule = self.constraint(instance);
+        let agents: Vec<String> = match rule {
+            Some(rule) => rule.named_agents().map(str::to_owned).collect(),
+            None => self.agents().iter().map(|a| name(a).to_owned()).collect(),
+        };
         let cell = match self {
             Self::Waypoint(_, cell) | Self::Obstacle(cell) => Some(cell),
-            _ => None,
+            Self::Task(_)
+            | Self::Battery(_)
+            | Self::Collision(..)
+            | Self::Stay(_)
+            | Self::Slow
+            | Self::Deadline
+            | Self::Floor
+            | Self::Breakdown(..)
+            | Self::Constraint(_) => None,
         };
         let breakdown = self.breakdown(instance);
         let agent = |a: usize| instance.agents().get(a);
@@ -85,10 +102,31 @@ impl Group {
             text: words::fact(self, instance, within),
             agents,
             cell,
+            index: match self {
+                Self::Constraint(index) => Some(index as u32),
+                Self::Task(_)
+                | Self::Waypoint(..)
+                | Self::Battery(_)
+                | Self::Obstacle(_)
+                | Self::Collision(..)
+                | Self::Stay(_)
+                | Self::Slow
+                | Self::Deadline
+                | Self::Floor
+                | Self::Breakdown(..) => None,
+            },
             helps: Helps::Unknown,
             time: breakdown.map(|breakdown| breakdown.from),
             until: breakdown.map(|breakdown| breakdown.to),
         }
+    }
+
+    /// The rule of the scene's own that it is, where it is one.
+    pub(crate) fn constraint(self, instance: &Instance) -> Option<&Constraint> {
+        let Self::Constraint(index) = self else {
+            return None;
+        };
+        instance.constraints().get(index)
     }
 
     /// The breakdown that it is, where it is one.
@@ -134,6 +172,8 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         .any(|agent| agent.battery.is_some());
     let has_floor = has_battery && instance.rules().battery_floor > 0;
     groups.extend(has_floor.then_some(Group::Floor));
+    let rules = instance.constraints_in_force();
+    groups.extend(rules.map(|rule| Group::Constraint(rule.index)));
     sort(&mut groups);
     groups
 }
@@ -192,6 +232,7 @@ pub(crate) fn without(
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
             Group::Floor => variant = variant.with_battery_floor(0),
+            Group::Constraint(rule) => variant.switch_off(rule),
             Group::Breakdown(a, from) => {
                 if let Some(agent) = instance.agents().get(a) {
                     let state = variant.start_state_mut(&agent.name);

@@ -117,6 +117,34 @@ pub(crate) fn group_mus(
     Some(shrinking.minimal_set(asked))
 }
 
+/// The same where rules of the scene's own are tried before all other facts: with all of
+/// these in force, none of the rules of the set can be left out.
+pub(crate) fn group_mus_of_rules(
+    refuted: &Refuted,
+    left_out: &BTreeSet<Group>,
+    clash: &[String],
+    inquiry: &mut dyn Inquiry,
+) -> CoreFound {
+    let mut shrinking = Shrinking::new(refuted, inquiry);
+    shrinking.left_out.clone_from(left_out);
+    shrinking.shrink_rules();
+    let all = groups(refuted.instance, refuted.asked, refuted.deadline.is_some());
+    shrinking.leave_out_strangers(&all, clash);
+    shrinking.minimal_set(refuted.asked)
+}
+
+/// The rules of the scene's own in such a set, by their numbers.
+pub(crate) fn rules_mus(
+    refuted: &Refuted,
+    left_out: &BTreeSet<Group>,
+    inquiry: &mut dyn Inquiry,
+) -> BTreeSet<usize> {
+    let mut shrinking = Shrinking::new(refuted, inquiry);
+    shrinking.left_out.clone_from(left_out);
+    shrinking.shrink_rules();
+    shrinking.kept_rules()
+}
+
 /// Another set of such facts, with as few of some facts in it as can be.
 pub(crate) fn group_mus_avoiding(
     refuted: &Refuted,

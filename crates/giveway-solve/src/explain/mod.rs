@@ -41,7 +41,7 @@ mod tests;
 pub(crate) mod unsolvable;
 pub(crate) mod verdict;
 pub(crate) mod waits;
-mod whole;
+pub(crate) mod whole;
 pub(crate) mod words;
 
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};

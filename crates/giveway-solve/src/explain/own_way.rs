@@ -61,7 +61,8 @@ fn about_agent(case: &FittingQuestion) -> Option<Condition> {
         | Condition::Visit { .. }
         | Condition::Move { .. }
         | Condition::Charge { .. }
-        | Condition::Before { .. } => return None,
+        | Condition::Before { .. }
+        | Condition::Keeps(_) => return None,
     };
     let own = |name: &str, cost: Cost| {
         own_costs(case.instance, name, case.plan).map_or(0, |costs| costs.get(cost))

@@ -15,7 +15,9 @@ mod pairs;
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Costs, Instance, Objective, Plan, sorting::sort_by_key};
+use giveway_model::{
+    Costs, Instance, Objective, Plan, constraint::ConstraintKind, sorting::sort_by_key,
+};
 
 use super::{
     answer::{Edit, Repair},
@@ -139,6 +141,9 @@ impl RepairSearch<'_> {
             is_least &= self.lessen(candidate, index, &mut edits, within);
         }
         let mut edits = flat(&edits);
+        if edits.iter().any(|edit| is_as_good_as_off(edit, instance)) {
+            return outcome; // its rule is also switched off
+        }
         let Some(mut best) = self.solver.best(&edited(instance, &edits, within)) else {
             self.exhaustive = false;
             return outcome;
@@ -188,6 +193,19 @@ impl RepairSearch<'_> {
             }
         }
     }
+}
+
+/// Whether a limit is raised to the number of agents that it counts.
+fn is_as_good_as_off(edit: &Edit, instance: &Instance) -> bool {
+    let Edit::AllowMore { index, most, .. } = edit else {
+        return false;
+    };
+    let mut rules = instance.constraints_in_force();
+    let rule = rules.find(|rule| rule.index == *index as usize);
+    rule.is_some_and(|rule| {
+        let is_capacity = matches!(rule.constraint.kind, ConstraintKind::Capacity { .. });
+        is_capacity && *most as usize >= rule.agents.len()
+    })
 }
 
 /// The edits that are there: a deadline that is given up is none.

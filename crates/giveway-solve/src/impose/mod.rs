@@ -43,7 +43,7 @@ impl<E: Into<ProblemError>> From<E> for ImposeError {
 }
 
 /// The agent whose task a condition becomes part of; `None` where it limits a cost of
-/// the whole plan.
+/// the whole plan, or is a rule, which becomes one of the instance's own ([`with_rules`]).
 ///
 /// # Errors
 /// [`ImposeError::NoAgent`] where the instance has no such agent, or any agent would do:
@@ -53,7 +53,7 @@ pub(crate) fn bearer(
     instance: &Instance,
 ) -> Result<Option<AgentId>, ImposeError> {
     let name = match condition {
-        Condition::Below { agent: None, .. } => return Ok(None),
+        Condition::Below { agent: None, .. } | Condition::Keeps(_) => return Ok(None),
         Condition::Visit { agent: None, .. } => return Err(ImposeError::NoAgent),
         Condition::Never { agent, .. }
         | Condition::Visit {
@@ -96,6 +96,30 @@ pub(crate) fn impose(
     Ok(problem.add(agent, task, budget)?)
 }
 
+/// The instance with the rules that are conditions; `None` where no condition is a rule.
+pub(crate) fn with_rules<'a>(
+    instance: &Instance,
+    conditions: impl IntoIterator<Item = &'a Condition>,
+) -> Option<Instance> {
+    let rules = conditions
+        .into_iter()
+        .filter_map(|condition| match condition {
+            Condition::Keeps(rule) => Some(rule),
+            Condition::Never { .. }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. }
+            | Condition::Below { .. } => None,
+        });
+    let mut with: Option<Instance> = None;
+    for rule in rules {
+        let before = with.take().unwrap_or_else(|| instance.clone());
+        with = Some(before.with_rule(rule));
+    }
+    with
+}
+
 /// Adds the limit that a condition sets a cost of the whole plan to others.
 ///
 /// # Errors
@@ -119,7 +143,8 @@ pub(crate) fn limit_costs(
         | Condition::Visit { .. }
         | Condition::Move { .. }
         | Condition::Charge { .. }
-        | Condition::Before { .. } => {}
+        | Condition::Before { .. }
+        | Condition::Keeps(_) => {}
     }
     Ok(())
 }
@@ -149,6 +174,7 @@ pub(crate) fn ways(
         | Condition::Move { .. }
         | Condition::Charge { .. }
         | Condition::Before { .. }
-        | Condition::Below { .. }) => Ok(vec![condition]),
+        | Condition::Below { .. }
+        | Condition::Keeps(_)) => Ok(vec![condition]),
     }
 }

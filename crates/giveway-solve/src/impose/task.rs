@@ -88,6 +88,8 @@ pub(super) fn require(
                 unless,
             });
         }
+        // It is one of the instance's own.
+        Condition::Keeps(_) => {}
         Condition::Below { cost, limit, .. } => {
             let most = limit.checked_sub(1).ok_or(Unmeetable(()))?;
             task.conditions.limit(cost, most);

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{
     Cell, Instance, Plan,
-    sorting::{sort, sort_by_key},
+    sorting::{set, sort, sort_by_key},
 };
 
 use super::{CoreFound, Inquiry, Tried};
@@ -32,6 +32,7 @@ const fn turn(group: Group) -> u8 {
         Group::Slow => 7,
         Group::Deadline => 8,
         Group::Breakdown(..) => 9,
+        Group::Constraint(_) => 10,
     }
 }
 
@@ -84,6 +85,23 @@ impl<'a> Shrinking<'a> {
             helps: BTreeMap::new(),
             further: Vec::new(),
         }
+    }
+
+    /// Leaves out all rules of the scene's own that can be left out.
+    pub(super) fn shrink_rules(&mut self) {
+        let rules = self.instance.constraints_in_force();
+        let mut rules: Vec<Group> = rules.map(|rule| Group::Constraint(rule.index)).collect();
+        rules.retain(|&rule| self.matters(rule));
+        self.shrink(&rules, false);
+    }
+
+    /// The rules of the scene's own that could not be left out.
+    pub(super) fn kept_rules(&self) -> BTreeSet<usize> {
+        let kept = self.kept.iter();
+        set(kept.filter_map(|group| match group {
+            Group::Constraint(rule) => Some(*rule),
+            _ => None,
+        }))
     }
 
     /// Leaves out as many of some facts as can be; agents only if all of the

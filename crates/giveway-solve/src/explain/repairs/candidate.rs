@@ -1,6 +1,6 @@
 //! Edits that are worth trying: those that weaken one of the facts that exclude a plan.
 
-use giveway_model::{Cell, Instance, MAX_CAPACITY};
+use giveway_model::{Cell, Constraint, Instance, MAX_CAPACITY, constraint::MAX_NUMBER};
 
 use super::super::{answer::Edit, group::Group};
 
@@ -14,6 +14,10 @@ pub(super) enum Candidate {
     Battery(usize),
     Floor,
     Deadline,
+    /// The limit of a rule, by its number.
+    Most(usize),
+    /// The last time of a rule, by its number.
+    Until(usize),
 }
 
 impl Candidate {
@@ -24,6 +28,8 @@ impl Candidate {
             Self::Battery(agent) => battery(instance, *agent, MAX_CAPACITY, MAX_CAPACITY),
             Self::Floor => Some(Edit::BatteryFloor { floor: 0 }),
             Self::Deadline => None,
+            Self::Most(rule) => allow_more(instance, *rule, MAX_NUMBER),
+            Self::Until(rule) => give_until(instance, *rule, MAX_NUMBER),
         }
     }
 
@@ -38,6 +44,7 @@ impl Candidate {
             (Self::Battery(agent), fact) => fact == Group::Battery(*agent),
             (Self::Floor, fact) => matches!(fact, Group::Floor | Group::Battery(_)),
             (Self::Deadline, fact) => fact == Group::Deadline,
+            (Self::Most(rule) | Self::Until(rule), fact) => fact == Group::Constraint(*rule),
             (Self::Edit(edit), fact) => match edit {
                 Edit::RemoveObstacle { cell } => fact == Group::Obstacle(*cell),
                 Edit::AddCharger { .. } => matches!(fact, Group::Battery(_) | Group::Floor),
@@ -49,7 +56,17 @@ impl Candidate {
                     matches!(fact, Group::Waypoint(a, at) if at == *cell && is(a, agent))
                 }
                 Edit::Vanish => matches!(fact, Group::Stay(_)),
-                Edit::LeaveOut { agent } => fact.agents().iter().any(|&of_fact| is(of_fact, agent)),
+                Edit::LeaveOut { agent } => {
+                    let binds = |rule: &Constraint| {
+                        let mut named = rule.named_agents().peekable();
+                        named.peek().is_none() || named.any(|name| name == agent)
+                    };
+                    fact.agents().iter().any(|&of_fact| is(of_fact, agent))
+                        || fact.constraint(instance).is_some_and(binds)
+                }
+                Edit::SwitchOff { index, .. }
+                | Edit::AllowMore { index, .. }
+                | Edit::GiveUntil { index, .. } => fact == Group::Constraint(*index as usize),
             },
         }
     }
@@ -67,6 +84,26 @@ pub(super) fn battery(
         agent: agent.name.clone(),
         capacity,
         initial,
+    })
+}
+
+/// More agents in the zone of a rule, or more wait steps on end.
+pub(super) fn allow_more(instance: &Instance, rule: usize, most: u32) -> Option<Edit> {
+    let constraint = instance.constraints().get(rule)?;
+    constraint.kind.most().map(|_| Edit::AllowMore {
+        index: rule as u32,
+        rule: constraint.called(),
+        most,
+    })
+}
+
+/// A later last time of a rule.
+pub(super) fn give_until(instance: &Instance, rule: usize, to: u32) -> Option<Edit> {
+    let constraint = instance.constraints().get(rule)?;
+    constraint.kind.last_chance().map(|_| Edit::GiveUntil {
+        index: rule as u32,
+        rule: constraint.called(),
+        to,
     })
 }
 
@@ -102,12 +139,25 @@ pub(super) fn candidates(
             Group::Task(a) if !asked.contains(&a) => {
                 Some(Candidate::Edit(Edit::LeaveOut { agent: name(a) }))
             }
+            Group::Constraint(rule) => {
+                let off = instance.constraints().get(rule).map(|it| Edit::SwitchOff {
+                    index: rule as u32,
+                    rule: it.called(),
+                });
+                off.map(Candidate::Edit)
+            }
             Group::Task(_)
             | Group::Collision(..)
             | Group::Stay(_)
             | Group::Slow
             | Group::Breakdown(..) => None,
         });
+    }
+    for &fact in facts {
+        if let (Group::Constraint(rule), Some(it)) = (fact, fact.constraint(instance)) {
+            candidates.extend(it.kind.most().map(|_| Candidate::Most(rule)));
+            candidates.extend(it.kind.last_chance().map(|_| Candidate::Until(rule)));
+        }
     }
     if any(|fact| matches!(fact, Group::Battery(_))) {
         let cells = instance.grid().cells();

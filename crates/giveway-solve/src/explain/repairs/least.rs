@@ -1,11 +1,11 @@
 //! The least battery, the highest floor, the least deadline that help.
 
-use giveway_model::MAX_CAPACITY;
+use giveway_model::{MAX_CAPACITY, constraint::MAX_NUMBER};
 
 use super::{
     super::answer::Edit,
     RepairSearch,
-    candidate::{Candidate, battery},
+    candidate::{Candidate, allow_more, battery, give_until},
     flat,
 };
 
@@ -23,13 +23,46 @@ impl RepairSearch<'_> {
             edits[index] = edit;
             search.helps(&flat(edits), within)
         };
+        let kind = |search: &Self, rule: usize| {
+            let rule = search.broken.instance.constraints().get(rule);
+            rule.map(|rule| rule.kind.clone())
+        };
         let (edit, is_least) = match *candidate {
             Candidate::Edit(_) | Candidate::Deadline => return true,
             Candidate::Battery(agent) => self.least_battery(agent, &mut with),
             Candidate::Floor => self.highest_floor(&mut with),
+            Candidate::Most(rule) => {
+                let today = kind(self, rule).and_then(|kind| kind.most());
+                self.least_of(today, &mut |search, most| {
+                    let edit = allow_more(search.broken.instance, rule, most);
+                    (edit.clone(), with(search, edit))
+                })
+            }
+            Candidate::Until(rule) => {
+                let today = kind(self, rule).and_then(|kind| kind.last_chance());
+                self.least_of(today, &mut |search, to| {
+                    let edit = give_until(search.broken.instance, rule, to);
+                    (edit.clone(), with(search, edit))
+                })
+            }
         };
         edits[index] = edit;
         is_least
+    }
+
+    /// The least number of a rule, above today's, that helps. Each number has its edit.
+    fn least_of(
+        &mut self,
+        today: Option<u32>,
+        with: &mut impl FnMut(&mut Self, u32) -> (Option<Edit>, Option<bool>),
+    ) -> (Option<Edit>, bool) {
+        let Some(today) = today else {
+            return (None, true);
+        };
+        let (least, is_least) = self.least_doubling((today, true), MAX_NUMBER, |search, number| {
+            with(search, number).1
+        });
+        (with(self, least).0, is_least)
     }
 
     /// The least larger battery that helps: of today's capacity if a full one helps,

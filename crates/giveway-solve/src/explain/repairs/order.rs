@@ -20,7 +20,10 @@ pub(super) const fn rank(edit: &Edit) -> u8 {
         Edit::MakeNormal { .. } => 5,
         Edit::DropWaypoint { .. } => 6,
         Edit::Vanish => 7,
-        Edit::LeaveOut { .. } => 8,
+        Edit::AllowMore { .. } => 8,
+        Edit::GiveUntil { .. } => 9,
+        Edit::SwitchOff { .. } => 10,
+        Edit::LeaveOut { .. } => 11,
     }
 }
 

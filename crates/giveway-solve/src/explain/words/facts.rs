@@ -1,6 +1,6 @@
 //! Facts that can be left out, as clauses.
 
-use giveway_model::{Breakdown, Instance, tr};
+use giveway_model::{Breakdown, Constraint, Instance, tr};
 
 use crate::explain::group::Group;
 
@@ -50,6 +50,9 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let floor = instance.rules().battery_floor;
             tr!("no battery may fall below {floor}", floor)
         }
+        Group::Constraint(_) => group
+            .constraint(instance)
+            .map_or_else(String::new, Constraint::fact),
         Group::Breakdown(a, _) => group
             .breakdown(instance)
             .map_or_else(String::new, |it| broken_down(name(a), it)),

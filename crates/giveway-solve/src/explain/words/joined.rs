@@ -17,7 +17,7 @@ const CLAUSES: usize = 6;
 
 /// The sets of facts, a sentence each. Facts that help when they alone are left out are marked where the
 /// facts are listed.
-pub(super) fn because(core: Option<&Core>, verdict: Verdict) -> Vec<String> {
+pub(crate) fn because(core: Option<&Core>, verdict: Verdict) -> Vec<String> {
     let Some(core) = core.filter(|core| !core.facts.is_empty()) else {
         return Vec::new();
     };
@@ -94,6 +94,10 @@ fn together(facts: &[&Fact]) -> String {
         // Of these there is one at most.
         FactKind::Slow | FactKind::Deadline | FactKind::Floor => facts[0].text.clone(),
         FactKind::Breakdown => tr!("{robots} are broken down", robots = list()),
+        FactKind::Constraint => {
+            let texts: Vec<String> = facts.iter().map(|fact| fact.text.clone()).collect();
+            few(&texts)
+        }
     }
 }
 

@@ -17,6 +17,7 @@ mod violations;
 
 pub(crate) use facts::fact;
 pub use heads::{facts_claim, facts_title, helps_mark, verdict_word, witness_title};
+pub(crate) use joined::because;
 pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;
 pub(crate) use repairs::repair;

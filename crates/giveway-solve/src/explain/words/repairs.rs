@@ -64,5 +64,10 @@ fn one(edit: &Edit) -> String {
         Edit::DropWaypoint { agent, cell } => tr!("let {agent} skip {cell}", agent, cell),
         Edit::Vanish => tr!("let robots leave the map at their goals").to_owned(),
         Edit::LeaveOut { agent } => tr!("leave {agent} out", agent),
+        Edit::SwitchOff { rule, .. } => tr!("switch off {rule}", rule),
+        Edit::AllowMore { rule, most, .. } => {
+            tr!("raise the limit of {rule} to {most}", rule, most)
+        }
+        Edit::GiveUntil { rule, to, .. } => tr!("extend {rule} to time {to}", rule, to),
     }
 }

@@ -40,7 +40,7 @@ fn phrase(agent: &str, violation: &Violation, instance: Option<&Instance>) -> St
     let longest = of_now.max_by_key(|(_, breakdown)| breakdown.to);
     match longest {
         Some((name, breakdown)) if name != agent => {
-            let meets = of_rule(agent, violation);
+            let meets = of_rule(agent, violation, instance);
             format!("{meets} ({})", broken_down(name, breakdown))
         }
         Some((_, breakdown)) if violation.rule == Rule::Move => {
@@ -49,11 +49,18 @@ fn phrase(agent: &str, violation: &Violation, instance: Option<&Instance>) -> St
                 to = breakdown.to
             )
         }
-        _ => of_rule(agent, violation),
+        _ => of_rule(agent, violation, instance),
     }
 }
 
-fn of_rule(agent: &str, violation: &Violation) -> String {
+/// The rule of the scene's own that is broken.
+fn named(violation: &Violation, instance: Option<&Instance>) -> Option<String> {
+    let index = violation.broken.as_ref()?.index;
+    let rule = instance?.constraints().get(index as usize)?;
+    Some(rule.called())
+}
+
+fn of_rule(agent: &str, violation: &Violation, instance: Option<&Instance>) -> String {
     let others = violation.agents.iter().filter(|name| *name != agent);
     let others: Vec<&String> = others.collect();
     let other = and(&others);
@@ -84,9 +91,10 @@ fn of_rule(agent: &str, violation: &Violation) -> String {
         }
         Rule::Goal => tr!("a robot would" => "not end at its goal").to_owned(),
         Rule::Charge => tr!("a robot would" => "charge at time {time}, where it cannot", time),
-        Rule::Constraint => {
-            tr!("a robot would" => "break a rule of the scene at time {time}", time)
-        }
+        Rule::Constraint => match named(violation, instance) {
+            Some(rule) => tr!("a robot would" => "break {rule} at time {time}", rule, time),
+            None => tr!("a robot would" => "break a rule of the scene at time {time}", time),
+        },
         Rule::Shape | Rule::Start | Rule::Move => {
             tr!("a robot would" => "break a rule at time {time}", time)
         }

@@ -1,0 +1,241 @@
+//! A price request, from the scene to the answer, rule after rule.
+
+use std::rc::Rc;
+
+use giveway_model::{Cost, Costs, Instance, Objective, Version, sorting::map};
+
+use super::{
+    Price, PriceAnswer, PriceRequest, RulePrice, SwitchOff,
+    conflict::{Unsolved, conflict},
+    words,
+};
+use crate::{
+    Host, Limits, Progress, Refusal, SolveAnswer, Status,
+    budget::Budget,
+    solve::{self, SolveTask, Solved},
+};
+
+/// The share of what is left that the plan with all rules may take.
+const SHARE_OF_ALL: f64 = 0.5;
+
+/// Serves a price request, and tells the host of every price.
+///
+/// # Errors
+/// When the scene is no instance.
+pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnswer, Refusal> {
+    let scene = request.scene.clone();
+    let instance = Instance::new(scene).map_err(|faults| Refusal::Scene { faults })?;
+    let objective = request.objective.clone();
+    let objective = instance.in_force(objective.unwrap_or_else(|| instance.objective().clone()));
+    let instance = instance.with_objective(objective.clone());
+    let budget = Rc::new(Budget::new(host, request.limits));
+    let rules: Vec<usize> = instance
+        .constraints_in_force()
+        .map(|rule| rule.index)
+        .collect();
+    let share = if rules.is_empty() { 1.0 } else { SHARE_OF_ALL };
+    let pricing = Pricing {
+        instance: &instance,
+        within: request.within,
+        budget: &budget,
+    };
+    let all = pricing.solve(&instance, request.start.as_ref(), share);
+    let mut answer = begun(&all, objective);
+    answer.prices = rules.iter().map(|&rule| pricing.unpriced(rule)).collect();
+    answer.pending = rules.len() as u32;
+    let tell = |answer: &mut PriceAnswer| {
+        answer.words = words::all(answer, &instance);
+        answer.stats = budget.stats();
+        if answer.pending > 0 {
+            let answer = Box::new(answer.clone());
+            host.progress(&Progress::Priced { answer });
+        }
+    };
+    tell(&mut answer);
+    for (place, &rule) in rules.iter().enumerate() {
+        let left = (rules.len() - place) as f64;
+        answer.prices[place] = pricing.price(rule, &all.answer, 1.0 / left);
+        answer.pending -= 1;
+        tell(&mut answer);
+    }
+    if let (Status::Impossible, Some(reach)) = (all.answer.status, all.reach) {
+        let unsolved = Unsolved {
+            instance: &instance,
+            within: request.within,
+            reach,
+            clash: &all.clash,
+        };
+        let (core, switch_off) = conflict(&unsolved, &answer.prices, &budget);
+        (answer.conflict, answer.switch_off) = (core, switch_off);
+        tell(&mut answer);
+    }
+    Ok(answer)
+}
+
+/// The answer when the search with all rules has ended.
+fn begun(all: &Solved, objective: Objective) -> PriceAnswer {
+    let answer = &all.answer;
+    PriceAnswer {
+        giveway: Version,
+        status: answer.status,
+        objective,
+        costs: answer.costs,
+        reach: answer.reach,
+        reason: answer.reason.clone(),
+        plan: answer.plan.clone(),
+        prices: Vec::new(),
+        conflict: None,
+        switch_off: SwitchOff::default(),
+        pending: 0,
+        words: String::new(),
+        stats: answer.stats,
+    }
+}
+
+/// The scene whose rules are priced; it has the objective that is in force with all rules.
+struct Pricing<'a, 'h> {
+    instance: &'a Instance,
+    /// The horizon, where a person set one.
+    within: Option<u32>,
+    budget: &'a Rc<Budget<'h>>,
+}
+
+impl Pricing<'_, '_> {
+    /// The best plan of a variant, with a share of what is left of the budget.
+    fn solve(
+        &self,
+        instance: &Instance,
+        start: Option<&giveway_model::Plan>,
+        share: f64,
+    ) -> Solved {
+        let limits = Limits {
+            seconds: self.budget.seconds_left().map(|seconds| seconds * share),
+            work: self.budget.work_left().map(|work| part(work, share)),
+            ..Limits::default()
+        };
+        let budget = Rc::new(self.budget.part(limits));
+        let task = SolveTask {
+            instance: instance.clone(),
+            objective: self.instance.objective().clone(),
+            within: self.within,
+            start: start.cloned(),
+            as_found: false,
+            budget: Rc::clone(&budget),
+        };
+        let solved = solve::solve(&task);
+        self.budget.absorb(&budget);
+        solved
+    }
+
+    /// A rule whose price is not known yet.
+    fn unpriced(&self, rule: usize) -> RulePrice {
+        let constraint = self.instance.constraints().get(rule);
+        RulePrice {
+            index: rule as u32,
+            kind: constraint.map_or(String::new(), |rule| rule.kind_name().to_owned()),
+            name: constraint.and_then(|rule| rule.name.clone()),
+            price: Price::Unknown,
+            exact: false,
+            without: map(std::iter::empty()),
+            difference: map(std::iter::empty()),
+            at_least: None,
+            at_most: None,
+            plan: None,
+        }
+    }
+
+    /// The price of a rule: the best plan without it beside the best with it.
+    fn price(&self, rule: usize, with: &SolveAnswer, share: f64) -> RulePrice {
+        let mut instance = self.instance.clone();
+        instance.switch_off(rule);
+        // What keeps all rules keeps the others, too.
+        let Solved {
+            answer: without, ..
+        } = self.solve(&instance, with.plan.as_ref(), share);
+        let mut price = self.unpriced(rule);
+        let objective = self.instance.objective();
+        (price.price, price.exact) = compared(objective, with, &without);
+        if let Some(costs) = without.costs.filter(|_| price.price != Price::Unknown) {
+            let own = objective.costs().iter();
+            price.without = map(own.map(|&cost| (cost, costs.get(cost))));
+        }
+        if let (Some(with), Some(without)) = (with.costs, without.costs)
+            && price.price != Price::Unknown
+        {
+            let own = objective.costs().iter();
+            price.difference = map(own.map(|&cost| (cost, difference(with, without, cost))));
+        }
+        if price.price == Price::Unknown
+            && let Some(&first) = objective.costs().first()
+        {
+            (price.at_least, price.at_most) = known_so_far(first, with, &without);
+        }
+        price.plan = without.plan;
+        price
+    }
+}
+
+fn difference(with: Costs, without: Costs, cost: Cost) -> i64 {
+    i64::from(with.get(cost)) - i64::from(without.get(cost))
+}
+
+/// A share of some units of work.
+fn part(work: u64, share: f64) -> u64 {
+    // Of so many units a thousandth more or less does not matter.
+    let thousandths = (share * 1000.0) as u64;
+    work / 1000 * thousandths + work % 1000 * thousandths / 1000
+}
+
+/// The price of a rule by the answers with it and without it, and whether it is exact.
+fn compared(objective: &Objective, with: &SolveAnswer, without: &SolveAnswer) -> (Price, bool) {
+    let vector = |answer: &SolveAnswer| answer.costs.map(|costs| costs.vector(objective));
+    match (with.status, without.status) {
+        (Status::Optimal, Status::Optimal) => {
+            let (with, without) = (vector(with), vector(without));
+            match with.cmp(&without) {
+                std::cmp::Ordering::Equal => (Price::Free, true),
+                std::cmp::Ordering::Greater => (Price::Costs, true),
+                // No plan without a rule costs more than one with it.
+                std::cmp::Ordering::Less => (Price::Unknown, false),
+            }
+        }
+        (Status::Impossible, Status::Optimal | Status::Feasible) => {
+            let makespan = without.costs.map_or(0, |costs| costs.makespan);
+            // It is open whether there is a plan with the rule that takes as long.
+            let is_covered = with.reach.within().is_none_or(|within| makespan <= within);
+            if is_covered {
+                (Price::Decides, without.status == Status::Optimal)
+            } else {
+                (Price::Unknown, false)
+            }
+        }
+        (Status::Impossible, Status::Impossible) => (Price::None, true),
+        (
+            Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
+            Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
+        ) => (Price::Unknown, false),
+    }
+}
+
+/// The least and the most that a rule can cost in the first cost of the objective.
+fn known_so_far(
+    first: Cost,
+    with: &SolveAnswer,
+    without: &SolveAnswer,
+) -> (Option<i64>, Option<i64>) {
+    let has_plan = |answer: &SolveAnswer| answer.costs.is_some();
+    let most = |answer: &SolveAnswer| answer.costs.map(|costs| i64::from(costs.get(first)));
+    let least = |answer: &SolveAnswer| {
+        let bound = answer.bounds.get(&first).copied();
+        let optimum = answer.costs.filter(|_| answer.status == Status::Optimal);
+        bound
+            .or(optimum.map(|costs| costs.get(first)))
+            .map(i64::from)
+    };
+    if !has_plan(with) && with.status == Status::Impossible {
+        return (None, None);
+    }
+    let at_least = least(with).zip(most(without)).map(|(a, b)| (a - b).max(0));
+    let at_most = most(with).zip(least(without)).map(|(a, b)| a - b);
+    (at_least, at_most)
+}

@@ -1,0 +1,111 @@
+//! Prices of small scenes, and which rules exclude each other.
+
+use giveway_model::{Cost, Scene, format::native};
+
+use super::{Price, PriceAnswer, PriceRequest, serve};
+use crate::{SilentHost, Status};
+
+fn scene(rules: &str) -> Scene {
+    let text = format!(
+        r##"{{ "giveway": 1, "map": ["...", "#.#", "..."],
+            "agents": [{{ "name": "A1", "start": [0, 0], "goal": [0, 2] }},
+                       {{ "name": "A2", "start": [2, 0], "goal": [2, 2] }}],
+            "zones": [{{ "name": "aisle", "rect": [1, 0, 1, 2] }}], "constraints": [{rules}] }}"##
+    );
+    native::read_scene(&text).unwrap()
+}
+
+fn price(rules: &str) -> PriceAnswer {
+    let request = PriceRequest {
+        scene: scene(rules),
+        ..PriceRequest::default()
+    };
+    serve(&request, &SilentHost).unwrap()
+}
+
+fn prices(answer: &PriceAnswer) -> Vec<(u32, Price, bool)> {
+    let prices = answer.prices.iter();
+    prices.map(|it| (it.index, it.price, it.exact)).collect()
+}
+
+#[test]
+fn a_rule_costs_what_the_best_plan_without_it_saves() {
+    let answer = price(
+        r#"{ "kind": "capacity", "zone": "aisle", "most": 1 },
+           { "kind": "closed", "zone": "aisle", "from": 90 },
+           { "kind": "gap", "steps": 1, "off": true }"#,
+    );
+    assert_eq!(answer.status, Status::Optimal);
+    assert_eq!(
+        prices(&answer),
+        [(0, Price::Costs, true), (1, Price::Free, true)]
+    );
+    let first = &answer.prices[0];
+    // Alone in the aisle: 3 steps later than right behind the other.
+    assert_eq!(first.without[&Cost::Makespan], 5);
+    assert_eq!(first.difference[&Cost::Makespan], 2);
+    let with = answer.costs.unwrap().makespan;
+    assert_eq!(with, 7);
+    assert_eq!(answer.conflict, None);
+    assert_eq!(
+        answer.words,
+        "At most 1 robot in 'aisle': +2 steps. No robot in 'aisle' from 90 on: free."
+    );
+}
+
+#[test]
+fn rules_that_exclude_each_other_are_told_with_the_fewest_to_switch_off() {
+    let answer = price(
+        r#"{ "kind": "arrive", "by": 5 },
+           { "kind": "capacity", "zone": "aisle", "most": 1, "name": "narrow" },
+           { "kind": "depart", "from": 1 },
+           { "kind": "gap", "steps": 1 }"#,
+    );
+    assert_eq!(answer.status, Status::Impossible);
+    // Three rules each make it take longer than 5 steps; only the deadline decides.
+    let all = prices(&answer);
+    assert_eq!(all[0], (0, Price::Decides, true));
+    assert!(
+        all[1..]
+            .iter()
+            .all(|&(_, price, exact)| (price, exact) == (Price::None, true))
+    );
+    assert_eq!(answer.switch_off.switch_off, [[0]]);
+    assert!(answer.switch_off.switch_off_settled);
+    let core = answer.conflict.unwrap();
+    let rules: Vec<u32> = core.facts.iter().filter_map(|fact| fact.index).collect();
+    assert!(core.minimal);
+    assert_eq!(rules.len(), 2, "{rules:?}");
+    assert!(rules.contains(&0));
+}
+
+#[test]
+fn where_rules_do_not_matter_none_is_to_be_switched_off() {
+    let mut scene = scene(r#"{ "kind": "gap", "steps": 1 }"#);
+    scene.map = vec!["...".into(), "###".into(), "...".into()];
+    let request = PriceRequest {
+        scene,
+        ..PriceRequest::default()
+    };
+    let answer = serve(&request, &SilentHost).unwrap();
+    assert_eq!(prices(&answer), [(0, Price::None, true)]);
+    assert_eq!(answer.switch_off.switch_off, Vec::<Vec<u32>>::new());
+    assert!(answer.switch_off.switch_off_settled);
+    assert!(
+        answer
+            .words
+            .contains("Even without any of these rules there is no plan.")
+    );
+}
+
+#[test]
+fn a_budget_that_is_spent_is_told_as_not_known() {
+    let mut request = PriceRequest {
+        scene: scene(r#"{ "kind": "gap", "steps": 1 }"#),
+        ..PriceRequest::default()
+    };
+    request.limits.work = Some(1);
+    let answer = serve(&request, &SilentHost).unwrap();
+    assert_eq!(prices(&answer), [(0, Price::Unknown, false)]);
+    assert!(!answer.is_settled());
+}

@@ -1,0 +1,127 @@
+//! Prices in words.
+
+use std::collections::BTreeMap;
+
+use giveway_model::words::{and, or};
+use giveway_model::{Cost, Instance, Objective, tr};
+
+use super::{Price, PriceAnswer, RulePrice};
+use crate::{Status, explain};
+
+/// The price of a rule in a few words: `free`, `+2 steps`, `no plan with it`. Of the costs
+/// that grow it names the first of the objective, and the charges.
+///
+/// ```
+/// use giveway_model::{Cost, Objective};
+/// use giveway_solve::price::{Price, RulePrice, words::tag};
+/// let price = RulePrice {
+///     index: 0, kind: "gap".into(), name: None, price: Price::Costs, exact: true,
+///     without: [(Cost::Makespan, 18)].into(), difference: [(Cost::Makespan, 2)].into(),
+///     at_least: None, at_most: None, plan: None,
+/// };
+/// assert_eq!(tag(&Objective::default(), &price), "+2 steps");
+/// ```
+pub fn tag(objective: &Objective, price: &RulePrice) -> String {
+    match price.price {
+        Price::Free => tr!("a price" => "free").to_owned(),
+        Price::Costs => costs(objective, &price.difference),
+        Price::Decides => tr!("a price" => "no plan with it").to_owned(),
+        Price::None => tr!("a price" => "no plan without it, either").to_owned(),
+        Price::Unknown => {
+            let first = objective.costs().first();
+            let least = price.at_least.filter(|&least| least > 0);
+            match first.zip(least) {
+                Some((&cost, least)) => tr!(
+                    "a price" => "{least} or more",
+                    least = more(cost, least)
+                ),
+                None => tr!("a price" => "not known").to_owned(),
+            }
+        }
+    }
+}
+
+fn costs(objective: &Objective, difference: &BTreeMap<Cost, i64>) -> String {
+    let grows = |cost: &Cost| difference.get(cost).copied().filter(|&by| by > 0);
+    let mut grown = objective.costs().iter();
+    let Some((first, by)) = grown.find_map(|cost| Some((*cost, grows(cost)?))) else {
+        return String::new();
+    };
+    let text = more(first, by);
+    match grows(&Cost::Charges).filter(|_| first != Cost::Charges) {
+        Some(charges) => tr!(
+            "a price" => "{price} and {n} charge" | "{price} and {n} charges" % charges.unsigned_abs() as u32,
+            price = text
+        ),
+        None => text,
+    }
+}
+
+/// By how much a cost grows.
+fn more(cost: Cost, by: i64) -> String {
+    let n = u32::try_from(by).unwrap_or(u32::MAX);
+    match cost {
+        Cost::Makespan => tr!("a price" => "+{n} step" | "+{n} steps" % n),
+        Cost::SumOfCosts => tr!("a price" => "+{n} in the sum", n),
+        Cost::Charges => tr!("a price" => "+{n} charge" | "+{n} charges" % n),
+        Cost::Moves => tr!("a price" => "+{n} move" | "+{n} moves" % n),
+        Cost::Waits => tr!("a price" => "+{n} wait" | "+{n} waits" % n),
+        Cost::Penalty => tr!("a price" => "+{n} penalty", n),
+    }
+}
+
+/// A rule with its price, as a sentence.
+pub fn sentence(instance: &Instance, objective: &Objective, price: &RulePrice) -> String {
+    let rule = instance.constraints().get(price.index as usize);
+    let rule = rule.map_or_else(String::new, |rule| match &rule.name {
+        Some(name) => tr!("{name} ({rule})", name, rule = rule.sentence()),
+        None => rule.sentence(),
+    });
+    tr!("{rule}: {price}.", rule, price = tag(objective, price))
+}
+
+/// Which rules to switch off, as a sentence; nothing where none would help, or none is known.
+pub fn switch_off(instance: &Instance, answer: &PriceAnswer) -> Option<String> {
+    let name = |&rule: &u32| {
+        let rule = instance.constraints().get(rule as usize);
+        rule.map_or_else(String::new, giveway_model::Constraint::called)
+    };
+    let sets = answer.switch_off.switch_off.iter();
+    let sets: Vec<String> = sets
+        .map(|set| and(&set.iter().map(name).collect::<Vec<_>>()))
+        .collect();
+    if sets.is_empty() {
+        let is_proved = answer.switch_off.switch_off_settled && !answer.prices.is_empty();
+        return is_proved
+            .then(|| tr!("Even without any of these rules there is no plan.").to_owned());
+    }
+    Some(if answer.switch_off.switch_off_settled {
+        tr!("There is a plan without {rules}.", rules = or(&sets))
+    } else {
+        tr!(
+            "There is a plan without {rules}. Perhaps fewer would do.",
+            rules = or(&sets)
+        )
+    })
+}
+
+/// All prices, and which rules exclude each other.
+pub(super) fn all(answer: &PriceAnswer, instance: &Instance) -> String {
+    if answer.prices.is_empty() {
+        return tr!("The scene has no rule of its own in force.").to_owned();
+    }
+    let mut sentences = Vec::new();
+    if answer.status == Status::Impossible {
+        sentences.push(tr!("There is no plan with these rules.").to_owned());
+    }
+    let prices = answer.prices.iter();
+    sentences.extend(prices.map(|price| sentence(instance, &answer.objective, price)));
+    sentences.extend(explain::words::because(
+        answer.conflict.as_ref(),
+        explain::Verdict::Necessary,
+    ));
+    if answer.conflict.is_some() {
+        sentences.extend(switch_off(instance, answer));
+    }
+    sentences.join(" ")
+}
