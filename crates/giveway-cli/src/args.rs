@@ -15,6 +15,7 @@ mod convert;
 mod explain;
 mod freedom;
 mod picture;
+mod price;
 mod reading;
 mod ruling;
 mod solve;
@@ -28,6 +29,7 @@ pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
 pub(crate) use picture::Picture;
+pub(crate) use price::Price;
 pub(crate) use reading::Reading;
 pub(crate) use ruling::Ruling;
 pub(crate) use solve::Solve;
@@ -115,6 +117,8 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Tell what must be so in every best plan, and what is free to choose
     Freedom(Freedom),
+    /// Tell what each rule of the scene's own costs
+    Price(Price),
     /// Find new plans after the world has changed
     Change(Change),
     /// Check exported certificates again, without the solver
@@ -149,6 +153,10 @@ pub(crate) struct Source {
     pub(crate) first: First,
     #[command(flatten)]
     pub(crate) ruling: Ruling,
+    /// One more rule for this call, in words or as JSON: "at most 1 robot in 'aisle 3'" (may be
+    /// given several times)
+    #[arg(long = "constraint", value_name = "RULE")]
+    pub(crate) constraints: Vec<String>,
 }
 
 /// How many agents of an instance count.

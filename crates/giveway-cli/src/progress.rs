@@ -185,6 +185,7 @@ impl Known {
             Progress::Size { conflicts, .. } => self.conflicts = *conflicts,
             Progress::Explained { .. }
             | Progress::Freedom { .. }
+            | Progress::Priced { .. }
             | Progress::Traced { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}

@@ -25,6 +25,7 @@ A QUESTION is one of
   makespan, sum-of-costs                                  why is it not less?
   charges [A], moves [A], waits [A]                       why are there not fewer (of A)?
   yield A B --at X,Y                                      why does A give way to B there?
+  rule \"RULE\", rule --rule FILE                           why is it not so that RULE holds?
   unsolvable                                              why is there no plan?
   plan                                                    is this plan valid, and the best?
 
@@ -39,6 +40,7 @@ Examples
   giveway explain scenario-1.json --plan plan-1.json wait A2 --at 3,1
   giveway explain warehouse.json charge A1 --at 6,2
   giveway explain scenario-6.json unsolvable
+  giveway explain warehouse.json rule \"each robot arrives by 12\"
   giveway explain warehouse.json --plan adopted.json --changes changes.json arrival A1")]
 pub(crate) struct Explain {
     #[command(flatten)]
@@ -78,15 +80,18 @@ pub(crate) struct Explain {
 #[derive(Debug, ClapArgs)]
 pub(crate) struct Typed {
     /// What is asked: wait, charge, no-charge, visit, no-visit, move, no-move, slow, order,
-    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, unsolvable, plan
+    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, rule, unsolvable, plan
     #[arg(value_name = "QUESTION")]
     pub(crate) kind: String,
-    /// The robots that it is about
+    /// The robots that it is about; of the question "rule" the rule in words
     #[arg(value_name = "AGENT")]
     pub(crate) who: Vec<String>,
     /// The cell
     #[arg(long, value_name = "X,Y")]
     pub(crate) at: Option<Cell>,
+    /// A file with the rule that is asked about, in words or as JSON
+    #[arg(long, value_name = "FILE")]
+    pub(crate) rule: Option<PathBuf>,
     /// The first time of an interval
     #[arg(long, value_name = "T", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) from: Option<u32>,

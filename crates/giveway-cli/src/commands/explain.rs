@@ -1,6 +1,6 @@
 //! `giveway explain`: why a plan is as it is.
 
-use giveway_model::{Instance, Plan, change::History, question::Asked};
+use giveway_model::{Instance, Plan, Question, change::History, question::Asked};
 use giveway_solve::explain::{ExplainRequest, Verdict};
 use giveway_solve::{Limits, Refusal, Request, Response, serve};
 
@@ -16,10 +16,7 @@ use crate::{
 };
 
 pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit, Failure> {
-    let question = asked(args).question().map_err(|error| {
-        let sentence = error.to_string();
-        Failure::Usage(sentence.trim_end_matches('.').to_owned())
-    })?;
+    let question = question(args)?;
     let from_input = args.plan.as_deref().is_some_and(is_standard_input);
     if from_input && is_standard_input(&args.source.instance) {
         return Err(Failure::Usage(
@@ -109,6 +106,27 @@ fn history<'a>(
     changes.changes.retain(|change| counts(change.at));
     // It was made for the answer, so it can be made again.
     Some((History::of(instance, &changes, plan?).ok()?, plan?))
+}
+
+/// The question as it was typed.
+fn question(args: &Explain) -> Result<Question, Failure> {
+    let Some(file) = &args.question.rule else {
+        return asked(args).question().map_err(|error| {
+            let sentence = error.to_string();
+            Failure::Usage(sentence.trim_end_matches('.').to_owned())
+        });
+    };
+    let only = Asked {
+        kind: "rule".to_owned(),
+        ..Asked::default()
+    };
+    if asked(args) != only {
+        return Err(Failure::Usage(
+            "--rule is for the question \"rule\", without other words".to_owned(),
+        ));
+    }
+    let rule = Box::new(input::rule_of_file(file)?);
+    Ok(Question::Rule { rule })
 }
 
 /// The question, in the parts in which it was typed.

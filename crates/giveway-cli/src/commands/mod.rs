@@ -10,6 +10,7 @@ mod freedom;
 mod manual;
 mod otherwise;
 mod picture;
+mod price;
 mod proof;
 mod solve;
 mod sweep;
@@ -35,6 +36,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Compare(compare) => compare::run(compare, &args.common),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
+        Command::Price(price) => price::run(price, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Picture(picture) => picture::run(picture, &args.common, clock),
         Command::Verify(verify) => verify::run(verify, &args.common),

@@ -5,7 +5,7 @@ use std::path::Path;
 use giveway_model::format::native;
 use giveway_model::{Fault, Instance, words::count};
 
-use super::{Kind, Maps, Scen, Source, foreign, is_standard_input};
+use super::{Kind, Maps, Scen, Source, foreign, is_standard_input, rules};
 use crate::{
     args,
     failure::Failure,
@@ -23,7 +23,12 @@ pub(crate) fn instance(
     common: &args::Common,
     said: &mut Said,
 ) -> Result<Instance, Failure> {
-    let read = read(source, plan, common, said)?;
+    let mut read = read(source, plan, common, said)?;
+    for text in &source.constraints {
+        let (with, note) = rules::with_rule(&read, text)?;
+        read = with;
+        said.add([note]);
+    }
     said.add(source.ruling.notes());
     said.assume(&read);
     Ok(read)

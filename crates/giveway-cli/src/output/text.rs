@@ -8,6 +8,7 @@ mod explain;
 mod freedom;
 mod front;
 mod planned;
+mod price;
 mod solve;
 mod verify;
 
@@ -19,6 +20,7 @@ pub(crate) use explain::{explain, explain_over_time};
 pub(crate) use freedom::freedom;
 pub(crate) use front::front;
 pub(crate) use planned::planned;
+pub(crate) use price::price;
 pub(crate) use solve::solve;
 pub(crate) use verify::{verify, verify_all};
 

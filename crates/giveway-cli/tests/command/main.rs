@@ -26,6 +26,7 @@ mod left_out;
 mod manual;
 mod picture;
 mod planners;
+mod price;
 mod proof;
 mod readme;
 mod reasons;

@@ -58,8 +58,17 @@ impl Folder {
 
     /// The same with a text on standard input.
     pub(crate) fn run_with(&self, line: &str, input: &str) -> Run {
+        self.run_args(line.split_whitespace(), input)
+    }
+
+    /// Runs `giveway` with these words, blanks and all.
+    pub(crate) fn run_words(&self, words: &[&str]) -> Run {
+        self.run_args(words.iter().copied(), "")
+    }
+
+    fn run_args<'a>(&self, words: impl Iterator<Item = &'a str>, input: &str) -> Run {
         let mut child = command()
-            .args(line.split_whitespace())
+            .args(words)
             .current_dir(self.dir.path())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
