@@ -182,7 +182,7 @@ def test_records_have_the_keys_of_the_schema() -> None:
         "plan": giveway.Plan, "costs": giveway.Costs, "stats": giveway.Stats, "solveResult": giveway.Answer,
         "paretoResult": giveway.Front, "planResult": giveway.PlannerAnswer, "checkResult": giveway.Verdict,
         "witness": giveway.Violation, "explainResult": giveway.Explanation, "changeResult": giveway.ChangeAnswer,
-        "freedomResult": giveway.Freedom,
+        "freedomResult": giveway.Freedom, "priceResult": giveway.Prices, "rulePrice": giveway.RulePrice,
     }
     from giveway._record import _fields
 

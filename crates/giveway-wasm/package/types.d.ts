@@ -138,6 +138,8 @@ export type Progress =
   | { event: "traced"; events: TraceEvent[] }
   /** What is known so far; `pending` has the parts that are to come. */
   | { event: "freedom"; answer: FreedomAnswer }
+  /** What is known so far; `pending` counts the prices that are to come. */
+  | { event: "priced"; answer: PriceAnswer }
   | { event: "certifying"; claim: string; checking: boolean }
   /** So many certificates are made. */
   | { event: "exporting"; done: number; of: number };
@@ -344,6 +346,8 @@ export type Question =
   | { kind: "charges" | "moves" | "waits"; agent?: string }
   /** Why does `agent` give way to `to`? */
   | { kind: "yield"; agent: string; to: string; at: Cell }
+  /** Why does the plan not keep this rule, which is none of the scene's? */
+  | { kind: "rule"; rule: Constraint }
   | { kind: "unsolvable" }
   | { kind: "plan" };
 
@@ -371,9 +375,12 @@ export type Verdict = "needless" | "improvable" | "costly" | "necessary" | "unkn
 
 /** A fact of the scene that can be left out. */
 export interface Fact {
-  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown" | "presence" | "rest";
+  kind: "task" | "waypoint" | "battery" | "obstacle" | "slow" | "collision" | "stay" | "deadline" | "floor" | "breakdown" | "presence" | "rest"
+    | "constraint";
   agents: string[];
   cell: Cell | null;
+  /** Of a rule of the scene's own: its number, from 0. */
+  index?: number;
   /** Of a breakdown: when it began, and the time from which the agent may go on. */
   time?: number;
   until?: number;
@@ -400,7 +407,11 @@ export type Edit =
   | { edit: "deadline"; within: number }
   | { edit: "drop-waypoint"; agent: string; cell: Cell }
   | { edit: "vanish" }
-  | { edit: "leave-out"; agent: string };
+  | { edit: "leave-out"; agent: string }
+  /** Of a rule of the scene's own, by its number and in words. */
+  | { edit: "switch-off"; index: number; rule: string }
+  | { edit: "allow-more"; index: number; rule: string; most: number }
+  | { edit: "give-until"; index: number; rule: string; to: number };
 
 /** Edits after which there is a plan. */
 export interface Repair {
@@ -740,6 +751,61 @@ export interface FreedomAnswer {
   stats: Stats;
 }
 
+export interface PriceRequest {
+  scene: Scene;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** Only plans of at most this makespan. */
+  within?: number;
+  /** A plan that is known already: the search begins with it. */
+  start?: Plan;
+  limits?: Limits;
+}
+
+/** A rule of the scene's own, with its price. */
+export interface RulePrice {
+  /** Its number in the scene, from 0. */
+  index: number;
+  kind: Constraint["kind"];
+  name: string | null;
+  /** `decides`: there is a plan without it, and none with it. `none`: there is none without it, either. */
+  price: "free" | "costs" | "decides" | "none" | "unknown";
+  /** Both sides are proved: optimal or impossible. */
+  exact: boolean;
+  /** The costs of the best plan without it. */
+  without?: Partial<Record<Cost, number>>;
+  /** With it minus without it; a later cost may be negative. */
+  difference?: Partial<Record<Cost, number>>;
+  /** Of the first cost, where the price is unknown. */
+  at_least?: number;
+  at_most?: number;
+}
+
+/** What the rules of the scene's own cost. */
+export interface PriceAnswer {
+  giveway: 1;
+  /** Of the scene with all rules that are in force. */
+  status: Status;
+  objective: Cost[];
+  costs: Costs | null;
+  plan: Plan | null;
+  complete: boolean;
+  within: number | null;
+  /** Why there is no plan or no proof. */
+  reason?: string;
+  prices: RulePrice[];
+  /** Rules and facts that exclude each other, where there is no plan. */
+  conflict: Core | null;
+  /** All sets of the fewest rules whose switching off leaves a plan. */
+  switch_off: number[][];
+  switch_off_settled: boolean;
+  /** How many prices are still to come. */
+  pending: number;
+  /** All of it in sentences. */
+  words: string;
+  stats: Stats;
+}
+
 /** A planner of the textbook. */
 export type Planner = "prioritised" | "cbs" | "pibt" | "lacam" | "lns";
 
@@ -1004,6 +1070,9 @@ export function audit(request: AuditRequest, options?: Options): AuditAnswer;
 
 /** Tells what must be so in every best plan, and what is free to choose. */
 export function freedom(request: FreedomRequest, options?: Options): FreedomAnswer;
+
+/** Tells what each rule of the scene's own costs. */
+export function price(request: PriceRequest, options?: Options): PriceAnswer;
 
 /** Finds a plan with a planner of the textbook. */
 export function plan(request: PlanRequest, options?: Options): PlanAnswer;

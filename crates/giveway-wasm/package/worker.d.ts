@@ -2,7 +2,7 @@ import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
   Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Exported, Files, FreedomAnswer,
   FreedomRequest, FrontAnswer,
-  PlanAnswer, PlanRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
+  PlanAnswer, PlanRequest, PriceAnswer, PriceRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
   VerifyRequest,
 } from "./types.js";
 
@@ -26,6 +26,7 @@ export class Giveway {
   change(request: ChangeRequest, waiting?: Waiting): Promise<ChangeAnswer>;
   audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
   freedom(request: FreedomRequest, waiting?: Waiting): Promise<FreedomAnswer>;
+  price(request: PriceRequest, waiting?: Waiting): Promise<PriceAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
   together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;

@@ -13,7 +13,7 @@ from giveway._record import Record
 from giveway._request import by_kind, costs, words
 from giveway.answers import (
     Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Explanation, Freedom, FreedomPart, Front, Planner,
-    PlannerAnswer, Together, Verdict, on,
+    PlannerAnswer, Prices, Together, Verdict, on,
 )
 from giveway.errors import refusal
 from giveway.plan import Plan
@@ -183,6 +183,24 @@ def freedom(
         scene=scene, plan=plan, parts=parts, count=count, objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return _ask(Freedom, "freedom", request, on_progress, should_stop)
+
+
+def price(
+    scene: AnyScene, *, objective: Objective | None = None, within: int | None = None, start: AnyPlan | None = None,
+    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Prices:
+    """Tells what each rule of the scene's own costs: the best plan without it beside the best with all of
+    them. Where they leave no plan, it tells which exclude each other, and the fewest to switch off.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),), constraints=({"kind": "depart", "from": 3},))
+    >>> price(scene).prices[0].difference["makespan"]
+    3
+    """
+    request = without_none(scene=scene, objective=costs(objective), within=within, start=start)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return _ask(Prices, "price", request, on_progress, should_stop)
 
 
 def together(

@@ -21,6 +21,7 @@ use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::PlanRequest;
+use giveway_solve::price::PriceRequest;
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
@@ -117,6 +118,19 @@ pub fn freedom(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue>
         request,
         options,
         Request::Freedom as fn(FreedomRequest) -> Request,
+    )
+}
+
+/// Tells what each rule of the scene's own costs.
+///
+/// # Errors
+/// As [`solve`].
+#[wasm_bindgen(skip_typescript)]
+pub fn price(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Price as fn(PriceRequest) -> Request,
     )
 }
 
@@ -269,6 +283,7 @@ fn answered(response: Response) -> Result<JsValue, JsValue> {
         Response::Planned(answer) => objects::write(&answer),
         Response::Together(answer) => objects::write(&answer),
         Response::Freedom(answer) => objects::write(&answer),
+        Response::Priced(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

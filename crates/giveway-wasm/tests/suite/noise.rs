@@ -10,7 +10,7 @@ type Function = fn(&JsValue) -> Result<JsValue, JsValue>;
 
 const NONE: JsValue = JsValue::UNDEFINED;
 
-const FUNCTIONS: [(&str, Function); 15] = [
+const FUNCTIONS: [(&str, Function); 16] = [
     ("solve", |request| giveway_wasm::solve(request, &NONE)),
     ("check", giveway_wasm::check),
     ("explain", |request| giveway_wasm::explain(request, &NONE)),
@@ -20,6 +20,7 @@ const FUNCTIONS: [(&str, Function); 15] = [
     ("change", |request| giveway_wasm::change(request, &NONE)),
     ("audit", |request| giveway_wasm::audit(request, &NONE)),
     ("freedom", |request| giveway_wasm::freedom(request, &NONE)),
+    ("price", |request| giveway_wasm::price(request, &NONE)),
     ("plan", |request| giveway_wasm::plan(request, &NONE)),
     ("compare", giveway_wasm::compare_plans),
     ("readFiles", |files| giveway_wasm::read_files(files, &NONE)),

@@ -124,6 +124,25 @@ fn what_every_best_plan_has_is_told() {
 }
 
 #[wasm_bindgen_test]
+fn rules_have_prices() {
+    let scene = json!({ "giveway": 1, "map": ["...", "#.#", "..."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [0, 2] },
+            { "name": "A2", "start": [2, 0], "goal": [2, 2] }],
+        "zones": [{ "name": "aisle", "rect": [1, 0, 1, 2] }],
+        "constraints": [{ "kind": "capacity", "zone": "aisle", "most": 1 }] });
+    let answer = data(&giveway_wasm::price(&object(&json!({ "scene": scene })), &NONE).unwrap());
+    assert_eq!(answer["prices"][0]["price"], "costs");
+    assert_eq!(answer["prices"][0]["exact"], true);
+    assert_eq!(answer["words"], "At most 1 robot in 'aisle': +2 steps.");
+    let rule = json!({ "kind": "arrive", "by": 5 });
+    let question = json!({ "kind": "rule", "rule": rule });
+    let request = json!({ "scene": scene, "question": question });
+    let answer = data(&giveway_wasm::explain(&object(&request), &NONE).unwrap());
+    assert_eq!(answer["verdict"], "necessary");
+    assert_eq!(answer["question"], question);
+}
+
+#[wasm_bindgen_test]
 fn a_planner_of_the_textbook_plans_and_tells_how() {
     let scene = json!({ "giveway": 1, "map": ["#.#", "...", "#.#"], "objective": ["sum-of-costs"],
         "agents": [{ "name": "A", "start": [0, 1], "goal": [2, 1] },

@@ -1,4 +1,4 @@
-"""The answers of ``explain``, ``freedom`` and ``together``."""
+"""The answers of ``explain``, ``freedom``, ``price`` and ``together``."""
 
 from __future__ import annotations
 
@@ -82,6 +82,55 @@ class Freedom(Record):
     #: The parts that are not finished.
     pending: tuple[str, ...] = optional(default=())
     #: Why something is open.
+    reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class RulePrice(Record):
+    """A rule of the scene's own, with its price."""
+
+    #: Its number in the scene, from 0.
+    index: int
+    kind: str
+    name: str | None
+    #: ``decides``: there is a plan without it, and none with it; ``none``: there is none without it, either.
+    price: Literal["free", "costs", "decides", "none", "unknown"]
+    #: Both sides are proved: optimal or impossible.
+    exact: bool
+    #: The costs of the best plan without it.
+    without: Mapping[Cost, int] = optional(default_factory=dict)
+    #: With it minus without it; a later cost may be negative.
+    difference: Mapping[Cost, int] = optional(default_factory=dict)
+    #: The least and the most that it costs in the first cost, where the price is unknown.
+    at_least: int | None = optional()
+    at_most: int | None = optional()
+
+
+@dataclass(frozen=True)
+class Prices(Record):
+    """The answer of ``price``; ``words`` is the whole of it in sentences."""
+
+    document: ClassVar[bool] = True
+
+    #: What is known of the scene with all rules that are in force.
+    status: Status
+    objective: tuple[Cost, ...]
+    costs: Costs | None
+    plan: Plan | None
+    complete: bool
+    within: int | None
+    prices: tuple[RulePrice, ...]
+    #: Rules and facts that exclude each other, where there is no plan.
+    conflict: dict[str, Any] | None
+    #: All sets of the fewest rules whose switching off leaves a plan.
+    switch_off: tuple[tuple[int, ...], ...]
+    #: Whether these are all of them for sure.
+    switch_off_settled: bool
+    words: str
+    stats: Stats
+    #: How many prices are still to come.
+    pending: int = 0
+    #: Why there is no plan or no proof.
     reason: str | None = optional()
 
 
