@@ -23,6 +23,7 @@ pub(super) fn is_later(question: &Question, since: u32) -> bool {
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }
+        | Question::Rule { .. }
         | Question::Unsolvable
         | Question::Plan => true,
     }

@@ -78,6 +78,7 @@ pub(super) fn fact_icon(fact: &Fact) -> &'static str {
         FactKind::Stay | FactKind::Rest => "goal",
         FactKind::Deadline => "clock",
         FactKind::Breakdown => "pause",
+        FactKind::Constraint => "lock",
     }
 }
 
@@ -90,5 +91,6 @@ pub(super) fn edit_icon(edit: &Edit) -> &'static str {
         Edit::DropWaypoint { .. } => "waypoint",
         Edit::Vanish => "goal",
         Edit::LeaveOut { .. } => "agent",
+        Edit::SwitchOff { .. } | Edit::AllowMore { .. } | Edit::GiveUntil { .. } => "lock",
     }
 }

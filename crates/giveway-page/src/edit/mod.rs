@@ -78,8 +78,21 @@ pub enum Edit {
     BatteryFloor(u32),
     /// The horizon in time steps.
     Within(Option<u32>),
+    /// A rule of the scene's own, by its index, asks for less.
+    WeakenRule(usize, Weaker),
     /// Gives an agent, by its index, one of the colours.
     Recolour(usize, usize),
+}
+
+/// What a rule of the scene's own does not ask for any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weaker {
+    /// It is switched off.
+    Off,
+    /// It allows so many agents in its zone, or wait steps on end.
+    Most(u32),
+    /// It leaves the time until then.
+    Until(u32),
 }
 
 impl Edit {

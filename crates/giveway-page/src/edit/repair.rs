@@ -3,7 +3,7 @@
 use giveway_model::{Agent, AtGoal, Battery};
 use giveway_solve::explain;
 
-use super::{Edit, Paint};
+use super::{Edit, Paint, Weaker};
 
 /// The edits of a repair; agents are told by their names there. One whose name no
 /// agent has is left out.
@@ -30,6 +30,15 @@ pub(crate) fn repair(edits: &[explain::Edit], agents: &[Agent]) -> Vec<Edit> {
             explain::Edit::DropWaypoint { agent, cell } => Edit::DropWaypoint(index(agent)?, *cell),
             explain::Edit::Vanish => Edit::AtGoal(AtGoal::Vanish),
             explain::Edit::LeaveOut { agent } => Edit::RemoveAgent(index(agent)?),
+            explain::Edit::SwitchOff { index, .. } => {
+                Edit::WeakenRule(*index as usize, Weaker::Off)
+            }
+            explain::Edit::AllowMore { index, most, .. } => {
+                Edit::WeakenRule(*index as usize, Weaker::Most(*most))
+            }
+            explain::Edit::GiveUntil { index, to, .. } => {
+                Edit::WeakenRule(*index as usize, Weaker::Until(*to))
+            }
         })
     };
     // Whoever is left out goes last, so that the others keep their places.

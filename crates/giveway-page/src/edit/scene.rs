@@ -3,7 +3,7 @@
 use giveway_model::words::Sentence;
 use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene, tr_data};
 
-use super::{Edit, Paint, Sketch};
+use super::{Edit, Paint, Sketch, Weaker};
 use crate::MAX_SIDE;
 use crate::words::at as place;
 
@@ -107,9 +107,28 @@ impl Sketch {
             Edit::Objective(objective) => self.scene.objective = objective.clone(),
             Edit::AtGoal(at_goal) => self.scene.rules.at_goal = *at_goal,
             Edit::BatteryFloor(floor) => self.scene.rules.battery_floor = *floor,
+            Edit::WeakenRule(rule, weaker) => self.weaken(*rule, *weaker),
             Edit::Within(_) | Edit::Recolour(..) => {}
         }
         Ok(())
+    }
+
+    /// A rule asks for less; where it has no such number, it stays as it is.
+    fn weaken(&mut self, rule: usize, weaker: Weaker) {
+        let Some(rule) = self.scene.constraints.get_mut(rule) else {
+            return;
+        };
+        let kind = match weaker {
+            Weaker::Off => {
+                rule.off = true;
+                return;
+            }
+            Weaker::Most(most) => rule.kind.with_most(most),
+            Weaker::Until(to) => rule.kind.with_last_time(to),
+        };
+        if let Some(kind) = kind {
+            rule.kind = kind;
+        }
     }
 
     fn agent(&mut self, agent: usize, change: impl FnOnce(&mut Agent)) {

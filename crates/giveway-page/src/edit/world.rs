@@ -84,7 +84,8 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         | Edit::Fill(_)
         | Edit::Objective(_)
         | Edit::AtGoal(_)
-        | Edit::BatteryFloor(_) => {
+        | Edit::BatteryFloor(_)
+        | Edit::WeakenRule(..) => {
             return Err(tr_data!("This cannot change while a plan runs."));
         }
         Edit::Within(_) | Edit::Recolour(..) => return Ok(Vec::new()),

@@ -37,6 +37,7 @@ impl Solving {
             Progress::Size { .. }
             | Progress::Explained { .. }
             | Progress::Freedom { .. }
+            | Progress::Priced { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}
         }
