@@ -135,8 +135,8 @@ fn draws(kind: usize, question: &Question) -> bool {
         Question::Moves { .. } => kind == 15,
         Question::Waits { .. } => kind == 16,
         Question::Yield { .. } => kind == 17,
-        // They have no contrast.
-        Question::Unsolvable | Question::Plan => false,
+        // They have no contrast, or one that the oracle of rules knows.
+        Question::Rule { .. } | Question::Unsolvable | Question::Plan => false,
     }
 }
 

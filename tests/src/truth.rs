@@ -171,6 +171,7 @@ fn cases(instance: &Instance, condition: Option<&Condition>) -> Vec<Option<Case>
         | Condition::Move { .. }
         | Condition::Charge { .. }
         | Condition::Before { .. }
+        | Condition::Keeps(_)
         | Condition::Below { agent: None, .. }) => {
             vec![early(Question::with_contrast(condition).unwrap())]
         }
@@ -208,6 +209,8 @@ fn early(mut question: Question) -> Question {
         | Question::Moves { .. }
         | Question::Waits { .. }
         | Question::Yield { .. }
+        // The oracle of rules knows it, and no certificate here is about one.
+        | Question::Rule { .. }
         | Question::Unsolvable
         | Question::Plan => {}
     }

@@ -141,6 +141,8 @@ fn less(instance: &Instance, edit: &Edit) -> Vec<Edit> {
         | Edit::DropWaypoint { .. }
         | Edit::Vanish
         | Edit::LeaveOut { .. } => {}
+        // No instance here has rules of its own.
+        Edit::SwitchOff { .. } | Edit::AllowMore { .. } | Edit::GiveUntil { .. } => {}
     }
     less
 }

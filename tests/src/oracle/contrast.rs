@@ -128,7 +128,11 @@ impl Asked {
             Question::Moves { .. } => Rule::Fewer(Counted::Moves, moves(path)),
             Question::Charges { .. } => Rule::Fewer(Counted::Charges, charges),
             Question::Waits { .. } => Rule::Fewer(Counted::Waits, waits(path)),
-            Question::Makespan | Question::SumOfCosts | Question::Unsolvable | Question::Plan => {
+            Question::Makespan
+            | Question::SumOfCosts
+            | Question::Rule { .. }
+            | Question::Unsolvable
+            | Question::Plan => {
                 return None;
             }
         };
