@@ -2,6 +2,7 @@
 
 mod critical;
 mod plans;
+mod ruled;
 mod visits;
 
 use giveway_model::{Cell, Cost, Instance, Plan};
@@ -12,6 +13,7 @@ use crate::oracle::{Every, Question, Verdict, Where};
 use crate::recount;
 use critical::critical;
 use plans::{farthest, ways};
+pub use ruled::compare_ruled;
 use visits::{backbone, slack};
 
 /// Labels and moments that the oracle may make.

@@ -7,6 +7,8 @@
 //! GIVEWAY_RANDOM_FREEDOM=2000 GIVEWAY_RANDOM_SEED=7 \
 //!     cargo test --release -p giveway-tests --test freedom_oracle -- --nocapture
 //! ```
+//!
+//! `GIVEWAY_RULE_FREEDOM` sets of how many scenes with rules each test compares the answers.
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -15,7 +17,8 @@
 )]
 
 use giveway_model::{Cost, Instance};
-use giveway_tests::freedom::{Compared, compare};
+use giveway_tests::freedom::{Compared, compare, compare_ruled};
+use giveway_tests::rules_random::{KINDS, scene_with_rules};
 use giveway_tests::{environment, random};
 
 #[test]
@@ -24,6 +27,56 @@ fn all_best_plans() {
     let kinds = all(random::small, count);
     let least = count / 50;
     assert!(kinds.iter().all(|&kind| kind >= least), "{kinds:?}");
+}
+
+#[test]
+fn all_best_plans_of_scenes_with_each_kind_of_rule() {
+    ruled("GIVEWAY_RULE_FREEDOM", 140, |number| {
+        vec![KINDS[number as usize % KINDS.len()]]
+    });
+}
+
+#[test]
+fn all_best_plans_of_scenes_with_two_kinds_of_rules() {
+    ruled("GIVEWAY_RULE_FREEDOM", 98, |number| {
+        let number = number as usize;
+        let other = number / KINDS.len() + number + 1;
+        vec![KINDS[number % KINDS.len()], KINDS[other % KINDS.len()]]
+    });
+}
+
+/// Compares the answers about scenes with rules.
+fn ruled(variable: &str, usual: u64, kinds: impl Fn(u64) -> Vec<&'static str>) {
+    let (seed, count) = (
+        environment::number("GIVEWAY_RANDOM_SEED", 1),
+        environment::number(variable, usual),
+    );
+    let (mut agreed, mut differ, mut too_large, mut several) = (0, 0, 0, 0);
+    for number in 0..count {
+        let kinds = kinds(number);
+        let scene = scene_with_rules(seed, number, &kinds);
+        let within = (number % 5 == 0).then_some((number % 9) as u32 + 2);
+        match compare_ruled(&scene, within) {
+            Compared::TooLarge => too_large += 1,
+            Compared::Agreed(answer) => {
+                agreed += 1;
+                let plans = answer.plans.as_ref();
+                several += u64::from(plans.is_some_and(|it| it.number.number() > 1));
+            }
+            Compared::Differ(faults) => {
+                differ += 1;
+                println!("scene {number} of seed {seed}, {kinds:?}, within {within:?}: {scene}");
+                for fault in faults {
+                    println!("  {fault}");
+                }
+            }
+        }
+    }
+    println!(
+        "{agreed} agreed, {several} with several plans, {differ} differ, {too_large} were too large"
+    );
+    assert_eq!(differ, 0, "the scenes and both answers are printed above");
+    assert!(agreed >= count / 2 && several >= count / 8);
 }
 
 /// Compares the answers about the instances of all numbers; how many were of each kind.

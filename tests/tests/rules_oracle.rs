@@ -20,6 +20,8 @@ use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Objective};
 use giveway_solve::plan::{PlanEnd, PlanRequest, Planner};
+use giveway_solve::together::TogetherRequest;
+use giveway_solve::trace::AgentLimit;
 use giveway_solve::{
     CheckRequest, Limits, Reason, Refusal, Request, Response, SilentHost, SolveAnswer,
     SolveRequest, Status, Stop, serve,
@@ -151,6 +153,70 @@ fn what_does_not_heed_rules_refuses_them() {
     assert!(refuses(&scene));
     scene["constraints"][0]["off"] = Value::Bool(true);
     assert!(!refuses(&scene));
+}
+
+/// Some agents by themselves can keep limits on their arrivals just when there is a plan for
+/// them under deadlines.
+#[test]
+fn agents_by_themselves_keep_limits_where_the_oracle_has_a_plan() {
+    let (mut kept, mut refuted) = (0, 0);
+    for number in 0..scenes(280) {
+        let kinds = [KINDS[number as usize % KINDS.len()]];
+        let scene = scene_with_rules(17, number, &kinds);
+        let what = format!("scene {number}, {kinds:?}");
+        let limits: Vec<AgentLimit> = (0..2)
+            .map(|agent| AgentLimit {
+                agent: format!("A{agent}"),
+                least: 0,
+                at_most: (number as u32 * 7 + agent * 3) % 6 + 2,
+            })
+            .collect();
+        let request = TogetherRequest {
+            scene: native::read_scene(&scene.to_string()).unwrap(),
+            cost: Cost::SumOfCosts,
+            agents: limits.clone(),
+            more: None,
+            within: None,
+            limits: Limits::default(),
+        };
+        let Response::Together(answer) = serve(&Request::Together(request), &SilentHost) else {
+            unreachable!("a question about some agents is answered")
+        };
+        let mut few = scene.clone();
+        few["agents"].as_array_mut().unwrap().truncate(2);
+        few["objective"] = serde_json::json!(["makespan"]);
+        let rules = few["constraints"].as_array_mut().unwrap();
+        for rule in rules.iter_mut() {
+            if let Some(names) = rule["agents"].as_array_mut() {
+                names.retain(|name| name != "A2");
+            }
+        }
+        let is_about = |rule: &Value| {
+            let names = [
+                &rule["agent"],
+                &rule["first"]["agent"],
+                &rule["second"]["agent"],
+            ];
+            rule["agents"] != serde_json::json!([]) && names.iter().all(|name| **name != "A2")
+        };
+        rules.retain(is_about);
+        for limit in &limits {
+            let by = serde_json::json!({
+                "kind": "arrive", "agents": [limit.agent], "by": limit.at_most,
+            });
+            rules.push(by);
+        }
+        let told = answer.alone.as_ref().and_then(|alone| alone.refuted);
+        let expected = match best(&RuleScene::read(&few.to_string(), &[]), None, MOST_STATES) {
+            Answer::Capped => continue,
+            Answer::Best(_) => false,
+            Answer::Impossible => true,
+        };
+        assert_eq!(told, Some(expected), "{what}, {limits:?}: {few}");
+        let counted = if expected { &mut refuted } else { &mut kept };
+        *counted += 1;
+    }
+    assert!(kept > 60 && refuted > 60, "{kept} kept, {refuted} refuted");
 }
 
 /// Compares so many scenes with the rules of some kinds; how many have a plan, have none,

@@ -11,6 +11,7 @@ mod outcome;
 mod plan;
 mod scenario;
 mod scene;
+mod turns;
 
 use super::{Conventions, Format, Held, OpenGoals, Source, recognise};
 use giveway_model::format::{base_name, stem};
@@ -122,8 +123,8 @@ pub fn combine(sources: &[Source<'_>], options: &Options) -> Result<Combined, Re
     settled.instance = settled.instance.assuming(left_out(&plans));
     let plans = plans.into_iter();
     let plans = plans.map(|plan| plan.on(&settled, options.conventions));
-    let plans = plans.collect::<Result<_, Refused>>()?;
-    let instance = settled.instance;
+    let plans = plans.collect::<Result<Vec<ForeignPlan>, Refused>>()?;
+    let instance = turns::settle(settled.instance, &plans);
     let mut notes = map_notes;
     notes.extend(without_plan);
     notes.extend(settled.remarks.notes);

@@ -17,13 +17,16 @@ pub enum Assumption {
     /// Agents may choose from several goals or tasks; those of the scene were chosen. A plan
     /// for the scene is one for the file, but another choice may have a better one.
     GoalsChosen,
-    /// An obstacle that moves. The judge heeds it; the solver does not, so that its bounds
-    /// hold with the obstacle, too, and its plans only where the judge passes them.
+    /// An obstacle that moves: no agent is where it is, or exchanges cells with it.
     MovingObstacle {
         /// Its name.
         name: String,
         /// Its cell at each time from 0; it stays at the last one. It may leave the map.
         path: Vec<Cell>,
+        /// Whether rules of the scene close the cells where it is. Exchanges of cells, which
+        /// no such rule can forbid, are then all that is looked at here.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        closed: bool,
     },
     /// A rule of the problem in the file that scenes do not have. It forbids plans and allows
     /// none: bounds hold with the rule, too, but a plan that is found need not keep it.
@@ -99,16 +102,6 @@ pub fn left_out(assumptions: &[Assumption]) -> Option<String> {
     (!rules.is_empty()).then(|| rules.join("; "))
 }
 
-impl Assumption {
-    /// The cell of a moving obstacle at a time; `None` for anything else.
-    pub fn obstacle_at(&self, time: usize) -> Option<Cell> {
-        match self {
-            Self::MovingObstacle { path, .. } => path.get(time).or(path.last()).copied(),
-            Self::GoalsChosen | Self::RuleLeftOut { .. } | Self::UnknownKey { .. } => None,
-        }
-    }
-}
-
 /// Assumptions in sentences, those of one kind together.
 pub fn sentences(assumptions: &[Assumption]) -> Vec<String> {
     let mut sentences = Vec::new();
@@ -125,7 +118,7 @@ pub fn sentences(assumptions: &[Assumption]) -> Vec<String> {
         sentences.push(tr!("The file leaves goals or tasks open. Whatever is said here is said for those that were chosen.").to_owned());
     }
     if !moving.is_empty() {
-        sentences.push(tr!("The file has obstacles that move: {names}. Plans are judged with them, but the search for better plans leaves them out.", names = and(&moving)));
+        sentences.push(tr!("The file has obstacles that move: {names}. No robot may be where one is, or exchange cells with one.", names = and(&moving)));
     }
     if let Some(rules) = left_out(assumptions) {
         sentences.push(tr!("Rules of the file's problem that are left out here: {rules}. Whatever is said here is said without them: a plan may break them. What every plan costs at least holds with them, too.", rules));

@@ -48,7 +48,7 @@ pub struct Problem {
     /// The earliest arrival of each agent alone; a lower bound of it where conditions are about
     /// very late times (see [`earliest`]).
     pub optima: Vec<u32>,
-    /// Whether rules of the scene's own are in force.
+    /// Whether rules of the scene's own are in force, or obstacles move.
     pub is_constrained: bool,
     /// Rules of the scene's own between agents.
     pub between: Between,
@@ -115,7 +115,7 @@ impl Problem {
             tasks: Vec::new(),
             cost_to_go: Vec::new(),
             optima: Vec::new(),
-            is_constrained: instance.is_constrained(),
+            is_constrained: instance.is_constrained() || instance.has_moving_obstacles(),
             between: Between::default(),
             precedences: Vec::new(),
             longest: 0,

@@ -1,29 +1,23 @@
 //! Weakens the claim of an answer where its scene has assumptions.
 //!
-//! Leaving out an obstacle that moves gives a relaxation: bounds and impossibility hold with
-//! the obstacle, too; a plan does where the judge, who heeds the obstacle, passes it. The
-//! same holds for a rule that is left out, but no judge heeds it: a plan that is found may
-//! break it. A bound of a later cost speaks of the plans that reach the bounds before it; it
-//! is kept where a legal plan is known to reach them, which of a rule that is left out nobody
-//! knows. A key of unknown meaning may change anything,
-//! so nothing is called proved, and no bound is kept. Goals that were chosen are part of the question,
+//! Leaving out a rule gives a relaxation: bounds and impossibility hold with the rule, too, but
+//! no judge heeds it: a plan that is found may break it. A bound of a later cost speaks of the
+//! plans that reach the bounds before it, which of a rule that is left out nobody knows: only
+//! that of the first cost is kept. A key of unknown meaning may change anything, so nothing is
+//! called proved, and no bound is kept. Goals that were chosen are part of the question,
 //! as every answer says; that there is no plan for them says nothing of other goals.
 
 mod others;
 #[cfg(test)]
 mod tests;
 
-use giveway_model::{
-    Assumption, Costs, Fault, Instance, Objective, Plan, Scene,
-    check::{check, first_meeting},
-    tr,
-};
+use giveway_model::{Assumption, Costs, Fault, Instance, Objective, Scene, tr};
 
 pub(crate) use others::{
     weaken_changed, weaken_explained, weaken_freedom, weaken_planned, weaken_priced,
 };
 
-use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status, budget::Stop};
+use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status};
 
 /// Whether a scene has an obstacle that moves.
 fn has_moving(assumptions: &[Assumption]) -> bool {
@@ -37,17 +31,11 @@ fn has_left_out(assumptions: &[Assumption]) -> bool {
     all.any(|one| matches!(one, Assumption::RuleLeftOut { .. }))
 }
 
-/// Keeps the bounds of a relaxation that are bounds of the problem: that of the first cost, and
-/// that of each later one where a legal plan with these costs reaches all before it.
-fn keep_reached(objective: &Objective, legal: Option<&Costs>, answer: &mut SolveAnswer) {
-    let mut is_reached = true;
-    for &cost in objective.costs() {
-        if !is_reached {
-            answer.bounds.remove(&cost);
-        }
-        let bound = answer.bounds.get(&cost).copied();
-        is_reached &= bound.is_some() && legal.map(|legal| legal.get(cost)) == bound;
-    }
+/// Keeps the bound of the first cost alone, which is one of the problem, too: those of later
+/// costs speak of plans that reach the bounds before them.
+fn keep_first(objective: &Objective, answer: &mut SolveAnswer) {
+    let first = objective.costs().first();
+    answer.bounds.retain(|cost, _| Some(cost) == first);
 }
 
 /// Whether goals were chosen of those that a file leaves open.
@@ -69,7 +57,7 @@ pub(crate) fn refuse_moving(scene: &Scene) -> Result<(), Refusal> {
     if !has_moving(&scene.assumptions) {
         return Ok(());
     }
-    let found = tr!("obstacles that move, which only solve, audit and check heed");
+    let found = tr!("obstacles that move, which only solve, plan, audit, freedom and check heed");
     let expected = tr!("a scene without them");
     let faults = vec![Fault::at("assumptions", found, expected)];
     Err(Refusal::Scene { faults })
@@ -83,7 +71,8 @@ pub(crate) fn refuse_constrained(scene: &Scene) -> Result<(), Refusal> {
     let Some(index) = scene.constraints.iter().position(|rule| !rule.off) else {
         return Ok(());
     };
-    let found = tr!("a rule of the scene's own, which only solve, plan, audit and check heed");
+    let found =
+        tr!("a rule of the scene's own, which only solve, plan, audit, freedom and check heed");
     let expected = tr!("rules that are off");
     let faults = vec![Fault::at(format!("constraints[{index}]"), found, expected)];
     Err(Refusal::Scene { faults })
@@ -102,54 +91,18 @@ pub(crate) fn refuse_goalless(scene: &Scene) -> Result<(), Refusal> {
     Err(Refusal::Scene { faults })
 }
 
-/// The costs of a plan that the judge passes with all that the scene assumes.
-fn legal_costs(instance: &Instance, plan: &Plan) -> Option<Costs> {
-    let report = check(instance, plan);
-    report.costs.filter(|_| report.violations.is_empty())
-}
-
-/// Whether the judge refuses a plan.
-fn is_illegal(instance: &Instance, plan: &Plan) -> bool {
-    !check(instance, plan).is_valid()
-}
-
-/// Weakens the answer of a search that left out what the instance assumes. `start` is a
-/// plan that was known before.
+/// Weakens the answer of a search for the scene as it is posed.
 pub(crate) fn weaken_solved(
     (instance, objective): (&Instance, &Objective),
-    start: Option<&Plan>,
     answer: &mut SolveAnswer,
 ) {
-    let assumptions = instance.assumptions();
-    if has_moving(assumptions)
-        && let Some(plan) = &answer.plan
-        && is_illegal(instance, plan)
-    {
-        let meeting = first_meeting(instance, plan);
-        let legal = legal_start(instance, start);
-        keep_reached(objective, legal.as_ref().map(|(_, costs)| costs), answer);
-        let reason = if let Some((start, costs)) = legal {
-            (answer.plan, answer.costs) = (Some(start.clone()), Some(costs));
-            answer.status = Status::Feasible;
-            Reason::CheaperMeetMoving
-        } else {
-            (answer.plan, answer.costs) = (None, None);
-            answer.status = Status::Unknown;
-            meeting.map_or(Reason::Stopped(Stop::Contradiction), |meeting| {
-                Reason::BestMeetsMoving {
-                    meeting: Box::new(meeting),
-                }
-            })
-        };
-        end(answer, reason);
-    }
-    weaken((assumptions, objective), answer);
+    weaken((instance.assumptions(), objective), answer);
 }
 
-/// The same for all that a scene assumes but obstacles that move.
+/// The same, of some assumptions.
 fn weaken((assumptions, objective): (&[Assumption], &Objective), answer: &mut SolveAnswer) {
     if has_left_out(assumptions) && answer.plan.is_some() {
-        keep_reached(objective, None, answer);
+        keep_first(objective, answer);
         answer.status = Status::Feasible;
         end(answer, Reason::LeftOutRules);
     }
@@ -162,13 +115,8 @@ fn weaken((assumptions, objective): (&[Assumption], &Objective), answer: &mut So
     }
 }
 
-/// A plan that was known before, with its costs, where the judge passes it.
-fn legal_start<'a>(instance: &Instance, start: Option<&'a Plan>) -> Option<(&'a Plan, Costs)> {
-    start.and_then(|start| Some((start, legal_costs(instance, start)?)))
-}
-
-/// Weakens a search that is compared with a plan of these costs: a plan that the judge does
-/// not pass is no better one.
+/// Weakens a search that is compared with a plan of these costs: a plan that may break a rule
+/// that is left out is no better one.
 pub(crate) fn weaken_beside(
     instance: &Instance,
     (own, objective): (Option<&Costs>, &Objective),
@@ -176,22 +124,10 @@ pub(crate) fn weaken_beside(
 ) {
     let is_better =
         |found: &Costs| own.is_none_or(|own| found.vector(objective) < own.vector(objective));
-    if has_moving(instance.assumptions())
-        && answer.costs.as_ref().is_some_and(is_better)
-        && answer
-            .plan
-            .as_ref()
-            .is_some_and(|plan| is_illegal(instance, plan))
-    {
-        (answer.plan, answer.costs) = (None, None);
-        answer.status = Status::Unknown;
-        keep_reached(objective, own, answer);
-        end(answer, Reason::BetterMeetsMoving);
-    }
     if has_left_out(instance.assumptions()) && answer.costs.as_ref().is_some_and(is_better) {
         (answer.plan, answer.costs) = (None, None);
         answer.status = Status::Unknown;
-        keep_reached(objective, None, answer);
+        keep_first(objective, answer);
         end(answer, Reason::BetterLeftOutRules);
     }
     if has_chosen(instance.assumptions()) && own.is_none() {
@@ -218,7 +154,7 @@ pub(crate) fn weaken_front(
         answer.ended = Some(Ended::Assumptions);
         answer.reach = Reach::default();
         for point in &mut answer.front {
-            weaken_solved((instance, objective), None, point);
+            weaken_solved((instance, objective), point);
             if has_left_out {
                 point.bounds.clear();
             }

@@ -2,7 +2,7 @@
 //! shown ([`words::reason`](crate::words::reason)).
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Assumption, Cost, check::MovingMeeting};
+use giveway_model::{Assumption, Cost};
 use serde::{Serialize, Serializer};
 
 use crate::{budget::Stop, change::Cause};
@@ -60,15 +60,6 @@ pub enum Reason {
     },
     /// Another plan is known to be better.
     Beaten,
-    /// Plans that cost less meet obstacles that move.
-    CheaperMeetMoving,
-    /// The best plan without the obstacles that move meets one.
-    BestMeetsMoving {
-        /// Their first meeting.
-        meeting: Box<MovingMeeting>,
-    },
-    /// A better plan was found that meets an obstacle that moves.
-    BetterMeetsMoving,
     /// The plan may break rules that are left out.
     LeftOutRules,
     /// A better plan was found that may break rules that are left out.

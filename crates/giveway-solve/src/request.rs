@@ -55,15 +55,18 @@ impl Request {
     pub(crate) const fn claimed_scene(&self) -> Option<&Scene> {
         match self {
             // A certificate looks at its own scene.
-            Self::Solve(_) | Self::Audit(_) | Self::Certify(_) | Self::Export(_) => None,
+            Self::Solve(_)
+            | Self::Audit(_)
+            | Self::Plan(_)
+            | Self::Freedom(_)
+            | Self::Together(_)
+            | Self::Price(_)
+            | Self::Certify(_)
+            | Self::Export(_) => None,
             Self::Check(request) if request.changes.is_none() => None,
             Self::Check(request) => Some(&request.scene),
             Self::Explain(request) => Some(&request.scene),
             Self::Change(request) => Some(&request.scene),
-            Self::Plan(request) => Some(&request.scene),
-            Self::Freedom(request) => Some(&request.scene),
-            Self::Together(request) => Some(&request.scene),
-            Self::Price(request) => Some(&request.scene),
         }
     }
 
@@ -71,15 +74,19 @@ impl Request {
     pub(crate) const fn unconstrained_scene(&self) -> Option<&Scene> {
         match self {
             // What is exported was certified.
-            Self::Solve(_) | Self::Audit(_) | Self::Plan(_) | Self::Export(_) => None,
+            Self::Solve(_)
+            | Self::Audit(_)
+            | Self::Plan(_)
+            | Self::Freedom(_)
+            | Self::Together(_)
+            | Self::Price(_)
+            | Self::Export(_) => None,
             // Where the world changes, it looks at the rules itself.
-            Self::Explain(_) | Self::Price(_) => None,
+            Self::Explain(_) => None,
             Self::Check(request) if request.changes.is_none() => None,
             Self::Check(request) => Some(&request.scene),
             Self::Certify(request) => Some(&request.scene),
             Self::Change(request) => Some(&request.scene),
-            Self::Freedom(request) => Some(&request.scene),
-            Self::Together(request) => Some(&request.scene),
         }
     }
 

@@ -225,7 +225,7 @@ fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
         Ok((task, instance)) => {
             let mut answer = solve::solve(&task).answer;
             let objective = &task.objective;
-            assumed::weaken_solved((&instance, objective), request.start.as_ref(), &mut answer);
+            assumed::weaken_solved((&instance, objective), &mut answer);
             Response::Solved(answer)
         }
         Err(refusal) => Response::Refused(refusal),
@@ -233,8 +233,7 @@ fn serve_best(request: &SolveRequest, host: &dyn Host) -> Response {
 }
 
 fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
-    let tasked = assumed::refuse_moving(&request.scene).and_then(|()| task(request, host));
-    let (mut task, instance) = match tasked {
+    let (mut task, instance) = match task(request, host) {
         Ok(tasked) => tasked,
         Err(refusal) => return Response::Refused(refusal),
     };
@@ -255,7 +254,7 @@ fn serve_front(request: &SolveRequest, host: &dyn Host) -> Response {
     Response::Front(answer)
 }
 
-/// The task of a request, for the instance without obstacles that move; and the instance.
+/// The task of a request, and the instance.
 fn task<'a>(
     request: &SolveRequest,
     host: &'a dyn Host,
@@ -263,8 +262,8 @@ fn task<'a>(
     let instance =
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let objective = request.objective.clone();
-    let relaxed = instance.clone().without_moving_obstacles();
-    let mut task = SolveTask::new(relaxed, objective, request.within, request.limits, host);
+    let solved = instance.clone();
+    let mut task = SolveTask::new(solved, objective, request.within, request.limits, host);
     task.start.clone_from(&request.start);
     task.as_found = request.as_found;
     if !request.trace {

@@ -124,17 +124,6 @@ pub fn reason(reason: &Reason) -> String {
             cost = name(*cost)
         ),
         Reason::Beaten => tr!("There is a better plan").to_owned(),
-        Reason::CheaperMeetMoving => {
-            tr!("Plans that cost less were found only without the obstacles that move.").to_owned()
-        }
-        Reason::BestMeetsMoving { meeting } => tr!(
-            "The best plan without the obstacles that move breaks a rule with them: {meeting} Plans that evade them cost as much or more.",
-            meeting = meeting.sentence()
-        ),
-        Reason::BetterMeetsMoving => tr!(
-            "The plan that the search found meets an obstacle that moves, so it is open whether a legal plan costs as little."
-        )
-        .to_owned(),
         Reason::LeftOutRules => tr!(
             "Rules of the file's problem are left out, and this plan may break them. What every plan costs at least holds with them, too."
         )

@@ -69,8 +69,8 @@ export interface Scene {
 export type Assumption =
   /** Goals or tasks were chosen out of those that the file leaves open. */
   | { assumes: "goals-chosen" }
-  /** Its cell at each time from 0. Plans are judged with it; the search leaves it out. */
-  | { assumes: "moving-obstacle"; name: string; path: Cell[] }
+  /** Its cell at each time from 0. With `closed`, rules of the scene close these cells, and only exchanges of cells are looked at. */
+  | { assumes: "moving-obstacle"; name: string; path: Cell[]; closed?: boolean }
   /** A rule of the file's problem that scenes do not have: bounds hold with it, too; a plan that is found may break it. */
   | { assumes: "rule-left-out"; rule: "turning" | "long-moves" | "errand-order" | "handling" }
   /** A key of the file that is not heeded and may change the problem. */
@@ -714,7 +714,7 @@ export interface CriticalCell {
   /** How much more it has of each cost of the objective. */
   deltas: Partial<Record<Cost, number>> | null;
   /** Who needs the very cell. */
-  needed?: "start" | "goal" | "waypoint";
+  needed?: "start" | "goal" | "waypoint" | "rule";
   /** Where it is open: whether it is proved that something is lost. */
   worse?: boolean;
   complete: boolean;

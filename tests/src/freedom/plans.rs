@@ -109,7 +109,7 @@ pub(super) fn farthest(
 }
 
 /// In how many entries and charges a course differs from a plan.
-fn differs(instance: &Instance, plan: &Plan, latest: u32, course: &Course) -> u32 {
+pub(super) fn differs(instance: &Instance, plan: &Plan, latest: u32, course: &Course) -> u32 {
     let mut count = 0;
     for (i, agent) in instance.agents().iter().enumerate() {
         let path = plan.path(&agent.name);

@@ -7,8 +7,10 @@
 //! horizon holds for every horizon.
 
 mod agent;
+mod every;
 mod scene;
 mod search;
 
+pub use every::{AllBest, all_best};
 pub use scene::RuleScene;
 pub use search::{Answer, best};

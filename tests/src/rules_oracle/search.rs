@@ -20,8 +20,8 @@ pub enum Answer {
 
 /// The states of one agent by number, each with its steps at a time.
 #[derive(Default)]
-struct Minds {
-    all: Vec<Mind>,
+pub(super) struct Minds {
+    pub(super) all: Vec<Mind>,
     numbers: BTreeMap<Mind, u32>,
     ways: BTreeMap<(u32, i64), Ways>,
 }
@@ -54,24 +54,18 @@ impl Minds {
 }
 
 /// Each agent's state, whether the first of each precedence has been there, the time.
-type Joint = (Vec<u32>, Vec<bool>, i64);
+pub(super) type Joint = (Vec<u32>, Vec<bool>, i64);
 
-struct Search<'a> {
+pub(super) struct Search<'a> {
     scene: &'a RuleScene,
-    minds: Vec<Minds>,
-    best: BTreeMap<Joint, Vec<i64>>,
+    pub(super) minds: Vec<Minds>,
+    pub(super) best: BTreeMap<Joint, Vec<i64>>,
     open: BinaryHeap<Reverse<(Vec<i64>, i64, Joint)>>,
 }
 
 /// The costs of the best plan; with a horizon, of those of at most that makespan.
 pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
-    let agents = 0..scene.agents.len();
-    let mut search = Search {
-        scene,
-        minds: agents.clone().map(|_| Minds::default()).collect(),
-        best: BTreeMap::new(),
-        open: BinaryHeap::new(),
-    };
+    let mut search = Search::begun(scene);
     let after = scene.last + 1;
     let clip = |time: i64| {
         if within.is_some() {
@@ -80,26 +74,6 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
             time.min(after)
         }
     };
-    let mut starts: Vec<Vec<Mind>> = vec![Vec::new()];
-    for agent in agents.clone() {
-        let each = scene.begin(agent);
-        let longer = |head: &Vec<Mind>| -> Vec<Vec<Mind>> {
-            let with = |mind: &Mind| [head.clone(), vec![mind.clone()]].concat();
-            each.iter().map(with).collect()
-        };
-        starts = starts.iter().flat_map(longer).collect();
-    }
-    let none = vec![false; scene.orders().count()];
-    for minds in starts {
-        let refs: Vec<&Mind> = minds.iter().collect();
-        if scene.may_be(&refs, 0, &none) {
-            let been = scene.been(&refs, &none);
-            let numbers = minds.iter().zip(&mut search.minds);
-            let numbers = numbers.map(|(mind, minds)| minds.number(mind)).collect();
-            let costs = vec![0; scene.objective.len()];
-            search.reach((numbers, been, 0), costs, 0);
-        }
-    }
     let mut closed = BTreeSet::new();
     while let Some(Reverse((costs, time, joint))) = search.open.pop() {
         if !closed.insert(joint.clone()) {
@@ -119,8 +93,40 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
     Answer::Impossible
 }
 
-impl Search<'_> {
-    fn minds(&self, numbers: &[u32]) -> Vec<Mind> {
+impl<'a> Search<'a> {
+    /// A search that knows the joint states at time 0.
+    pub(super) fn begun(scene: &'a RuleScene) -> Self {
+        let agents = 0..scene.agents.len();
+        let mut search = Search {
+            scene,
+            minds: agents.clone().map(|_| Minds::default()).collect(),
+            best: BTreeMap::new(),
+            open: BinaryHeap::new(),
+        };
+        let mut starts: Vec<Vec<Mind>> = vec![Vec::new()];
+        for agent in agents {
+            let each = scene.begin(agent);
+            let longer = |head: &Vec<Mind>| -> Vec<Vec<Mind>> {
+                let with = |mind: &Mind| [head.clone(), vec![mind.clone()]].concat();
+                each.iter().map(with).collect()
+            };
+            starts = starts.iter().flat_map(longer).collect();
+        }
+        let none = vec![false; scene.orders().count()];
+        for minds in starts {
+            let refs: Vec<&Mind> = minds.iter().collect();
+            if scene.may_be(&refs, 0, &none) {
+                let been = scene.been(&refs, &none);
+                let numbers = minds.iter().zip(&mut search.minds);
+                let numbers = numbers.map(|(mind, minds)| minds.number(mind)).collect();
+                let costs = vec![0; scene.objective.len()];
+                search.reach((numbers, been, 0), costs, 0);
+            }
+        }
+        search
+    }
+
+    pub(super) fn minds(&self, numbers: &[u32]) -> Vec<Mind> {
         let each = self.minds.iter().zip(numbers);
         each.map(|(minds, &number)| minds.all[number as usize].clone())
             .collect()
@@ -140,10 +146,24 @@ impl Search<'_> {
         (costs, time): (&[i64], i64),
         clip: impl Fn(i64) -> i64,
     ) {
+        for (to, costs, _) in self.steps(joint, minds, (costs, time), clip) {
+            self.reach(to, costs, time + 1);
+        }
+    }
+
+    /// The steps from a joint state: where each leads, the costs up to there, who charges.
+    pub(super) fn steps(
+        &mut self,
+        joint: &Joint,
+        minds: &[Mind],
+        (costs, time): (&[i64], i64),
+        clip: impl Fn(i64) -> i64,
+    ) -> Vec<(Joint, Vec<i64>, Vec<bool>)> {
+        let mut steps = Vec::new();
         let is_live = |mind: &Mind| matches!(mind.place, Where::At(_) | Where::On(..));
         let live: i64 = minds.iter().map(|mind| i64::from(is_live(mind))).sum();
         if live == 0 {
-            return;
+            return steps;
         }
         let paid = minds.iter().enumerate().filter(|(_, mind)| is_live(mind));
         let penalty: i64 = paid
@@ -189,8 +209,10 @@ impl Search<'_> {
                 .collect();
             let been = self.scene.been(&next, &joint.1);
             let numbers = taken.iter().map(|(number, _)| *number).collect();
-            self.reach((numbers, been, clip(time + 1)), costs, time + 1);
+            let charges = taken.iter().map(|(_, way)| way.costs[0] > 0).collect();
+            steps.push(((numbers, been, clip(time + 1)), costs, charges));
         }
+        steps
     }
 }
 
@@ -263,7 +285,7 @@ impl RuleScene {
     }
 
     /// Whether all have arrived, and may rest for ever.
-    fn is_over(&self, minds: &[Mind], time: i64) -> bool {
+    pub(super) fn is_over(&self, minds: &[Mind], time: i64) -> bool {
         let arrived = |mind: &Mind| matches!(mind.place, Where::Home | Where::Gone);
         if !minds.iter().all(arrived) {
             return false;

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use giveway_formats::{Combined, Conventions, ForeignPlan, Missing, Options, Refused};
+use giveway_model::constraint::ConstraintKind;
 use giveway_model::format::{base_name, native};
-use giveway_model::{Assumption, Instance, Plan, assumption};
+use giveway_model::{Assumption, Instance, LeftOutRule, Plan, assumption};
 
 use super::{Source, instance::without_robots, is_standard_input};
 use crate::{
@@ -209,8 +210,20 @@ pub(crate) fn plan_for(
     said.add(plan.notes);
     let new = combined.instance.assumptions().iter();
     let new = new.filter(|one| !instance.assumptions().contains(one));
-    said.add(assumption::sentences(&new.cloned().collect::<Vec<_>>()));
+    let mut new: Vec<Assumption> = new.cloned().collect();
+    // The plan is judged by the rules of the instance alone.
+    if turns(&combined.instance) && !turns(instance) {
+        let rule = LeftOutRule::Turning;
+        new.push(Assumption::RuleLeftOut { rule });
+    }
+    said.add(assumption::sentences(&new));
     Ok(plan.plan)
+}
+
+/// Whether turns take time.
+fn turns(instance: &Instance) -> bool {
+    let mut rules = instance.constraints_in_force();
+    rules.any(|rule| matches!(rule.constraint.kind, ConstraintKind::Turns { .. }))
 }
 
 fn no_plan(name: &str) -> String {

@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Lines that begin with `#` are comments. A problem goes on without end: robots get
-//! their next task when one is done. Here each robot has one task.
+//! their next task when one is done. Here each robot has one task. Robots face east at first
+//! and turn, a step for a quarter turn.
 //!
 //! Source: the Start-Kit of the League (`read_int_vec`, `read_tasks`).
 
@@ -19,10 +20,11 @@ use serde::Deserialize;
 
 use crate::lines::{Line, lines};
 use crate::unknown_keys::UnknownKeys;
+use giveway_model::constraint::{ConstraintKind, Heading};
 use giveway_model::format::base_name;
 use giveway_model::format::json;
 use giveway_model::format::locate::Fields;
-use giveway_model::{Agent, Assumption, Cell, Fault, Grid, LeftOutRule, Scene, tr};
+use giveway_model::{Agent, Assumption, Cell, Constraint, Fault, Grid, LeftOutRule, Scene, tr};
 
 /// The files of a problem, as it names them.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -141,6 +143,8 @@ pub(crate) fn scene(
         waypoints.retain(|cell| seen.insert(*cell));
         Agent {
             waypoints,
+            // As the Start-Kit lets them begin.
+            heading: Some(Heading::East),
             ..Agent::new(format!("A{}", i + 1), start, goal)
         }
     });
@@ -152,6 +156,7 @@ pub(crate) fn scene(
         map: grid.rows(),
         agents,
         assumptions,
+        constraints: vec![turns()],
         ..Scene::default()
     };
     notes.push(tr!("It is a problem of the League of Robot Runners, which goes on without end: here each robot has one task, in the order of the file; further tasks, and tasks that end where another one does, are left out.").to_owned());
@@ -164,14 +169,23 @@ pub(crate) fn scene(
     Ok((scene, notes))
 }
 
+/// Robots of the League turn, and a quarter turn takes a step.
+fn turns() -> Constraint {
+    Constraint {
+        kind: ConstraintKind::Turns { quarter: 1 },
+        agents: None,
+        name: None,
+        off: false,
+    }
+}
+
 /// The assumptions of a problem's scene: tasks were given to the robots, whose program chooses them there;
-/// robots of the League turn; errands are done in their order.
+/// errands are done in their order.
 fn assumptions(agents: &[Agent], has_order: bool) -> Vec<Assumption> {
     let has_tasks = agents.iter().any(|agent| agent.goal.is_some());
     let left_out = |rule| Assumption::RuleLeftOut { rule };
     let all = [
         (has_tasks, Assumption::GoalsChosen),
-        (true, left_out(LeftOutRule::Turning)),
         (has_order, left_out(LeftOutRule::ErrandOrder)),
     ];
     let all = all.into_iter();

@@ -1,5 +1,6 @@
 //! The keys of a file, and what it holds.
 
+use super::moving::Moving;
 use super::scenario::{self, Map, WrittenRobot};
 use super::{lines, moving, schedule};
 use crate::limits::Steps;
@@ -7,14 +8,14 @@ use crate::unknown_keys::UnknownKeys;
 use crate::yaml::{Kind, Yaml};
 use crate::{Conventions, Held, WrittenAgent, WrittenPlan};
 use giveway_model::compare::Claimed;
-use giveway_model::{Assumption, Fault, tr, tr_later};
+use giveway_model::{Fault, tr, tr_later};
 
 /// The parts of a file.
 #[derive(Default)]
 struct Parts {
     map: Option<Map>,
     robots: Option<Vec<WrittenRobot>>,
-    moving: Vec<Assumption>,
+    moving: Vec<Moving>,
     claimed: Claimed,
     schedule: Option<Vec<WrittenAgent>>,
     /// A remark on the schedule.
@@ -88,7 +89,7 @@ pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
         plan.notes.extend(in_plan.sentence());
         plan
     });
-    let Some((mut scene, remarks)) = scene else {
+    let Some((mut scene, mut remarks)) = scene else {
         let Some(mut plan) = plan else {
             let expected = tr!("map and agents, or schedule");
             return Err(Fault::at("", tr!("none of these keys"), expected).in_text(1, 1));
@@ -99,7 +100,9 @@ pub(super) fn parsed(text: &str) -> Result<Held, Fault> {
         plan.notes.extend(unknown.sentence());
         return Ok(Held::Plan(plan));
     };
-    scene.assumptions.extend(parts.moving);
+    remarks
+        .notes
+        .extend(moving::close(&mut scene, parts.moving));
     scene.assumptions.extend(unknown.assumptions());
     Ok(match plan {
         None => Held::Scene(scene, remarks),

@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
-use super::moving::NOWHERE;
+use super::moving::{NOWHERE, rules};
 use crate::loss::Part;
 use crate::whole_steps::WholeSteps;
 use crate::write::Job;
 use crate::{Format, Written};
-use giveway_model::{Assumption, Fault, Instance};
+use giveway_model::constraint::ConstraintKind;
+use giveway_model::sorting::set;
+use giveway_model::{Assumption, Constraint, Fault, Instance, Zone};
 
 /// Writes `STEM.yaml`, `STEM-schedule.yaml`, or both.
 ///
@@ -19,7 +21,12 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Written, Fault> {
         return Ok(Written::default());
     };
     let holds = [Part::Names, Part::Moving];
-    let mut written = job.written([(".yaml", scenario(instance))], &holds);
+    let rest = without_closed(instance);
+    let of_rest = Job {
+        instance: rest.as_ref().or(job.instance),
+        ..*job
+    };
+    let mut written = of_rest.written([(".yaml", scenario(instance))], &holds);
     if let Some(plan) = job.plan {
         let steps = WholeSteps::new(instance, plan, Format::MultiRobot)?;
         let name = format!("{}-schedule.yaml", job.stem);
@@ -88,10 +95,58 @@ fn scenario(instance: &Instance) -> String {
     text
 }
 
+/// The instance without the rules that close the cells of obstacles that move: the obstacles
+/// themselves are written. `None` where there is no such rule.
+fn without_closed(instance: &Instance) -> Option<Instance> {
+    let mut scene = instance.to_scene();
+    let before = scene.constraints.len();
+    for one in instance.assumptions() {
+        let Assumption::MovingObstacle {
+            name,
+            path,
+            closed: true,
+        } = one
+        else {
+            continue;
+        };
+        let (zones, rules) = rules(name, path, instance.grid());
+        let by_name = |name: &str| rules.iter().find(|rule| rule.name.as_deref() == Some(name));
+        let is_held = |rule: &Constraint| rule.name.as_deref().and_then(by_name) == Some(rule);
+        scene.constraints.retain(|rule| !is_held(rule));
+        let named = scene.constraints.iter().filter_map(zone_of);
+        let named = set(named.map(str::to_owned));
+        let is_held = |zone: &Zone| zones.contains(zone) && !named.contains(&zone.name);
+        scene.zones.retain(|zone| !is_held(zone));
+    }
+    (scene.constraints.len() < before)
+        .then(|| Instance::new(scene).ok())
+        .flatten()
+}
+
+/// The zone that a rule is about.
+fn zone_of(rule: &Constraint) -> Option<&str> {
+    match &rule.kind {
+        ConstraintKind::Capacity { zone, .. }
+        | ConstraintKind::Closed { zone, .. }
+        | ConstraintKind::NoWaiting { zone, .. }
+        | ConstraintKind::Avoid { zone, .. } => Some(zone),
+        ConstraintKind::OneWay { .. }
+        | ConstraintKind::Gap { .. }
+        | ConstraintKind::Apart { .. }
+        | ConstraintKind::Sequence { .. }
+        | ConstraintKind::Visit { .. }
+        | ConstraintKind::Arrive { .. }
+        | ConstraintKind::Late { .. }
+        | ConstraintKind::Depart { .. }
+        | ConstraintKind::Before { .. }
+        | ConstraintKind::Turns { .. } => None,
+    }
+}
+
 /// The obstacles that move, each with its states.
 fn obstacles(text: &mut String, instance: &Instance) {
     let moving = instance.assumptions().iter().filter_map(|one| match one {
-        Assumption::MovingObstacle { name, path } => Some((name, path)),
+        Assumption::MovingObstacle { name, path, .. } => Some((name, path)),
         Assumption::GoalsChosen
         | Assumption::RuleLeftOut { .. }
         | Assumption::UnknownKey { .. } => None,

@@ -226,9 +226,10 @@ fn a_result_without_a_plan_opens_its_scene_and_says_what_it_is() {
 #[test]
 fn obstacles_that_move_are_written_and_read_again() {
     let input = "map: {dimensions: [3, 2], obstacles: []}\nagents: [{name: a, start: [0, 0], goal: [2, 0]}]\n\
-        dynamic_obstacles: {cart: [{t: 2, x: 0, y: 1}, {t: 4, x: 1, y: 1}], \"a: b\": [{t: 0, x: 2, y: 1}, {t: 1, x: 3, y: 1}]}\n";
+        dynamic_obstacles: {cart: [{t: 2, x: 0, y: 1}, {t: 4, x: 1, y: 1}], \"a: b\": [{t: 0, x: 2, y: 1}, {t: 1, x: 1, y: 1}, {t: 2, x: 3, y: 1}]}\n";
     let read = opened(&[("i.yaml", input)]).unwrap();
     assert_eq!(read.instance.assumptions().len(), 2);
+    assert_eq!(read.instance.constraints().len(), 4);
     let written = write(Format::MultiRobot, "it", Some(&read.instance), None).unwrap();
     assert_eq!(written.losses, Vec::<String>::new());
     let again = opened(&[("it.yaml", &written.files[0].1)]).unwrap();

@@ -1,6 +1,7 @@
 //! Rules of other problems that scenes do not have: told by the files that have them.
 
 use giveway_formats::Combined;
+use giveway_model::constraint::{ConstraintKind, Heading};
 use giveway_model::format::link::scene::{read, write};
 use giveway_model::format::native::{read_instance, write_scene};
 use giveway_model::{Assumption, LeftOutRule, Scene};
@@ -18,6 +19,37 @@ fn rules(combined: &Combined) -> Vec<LeftOutRule> {
     rules.collect()
 }
 
+/// Whether each robot turns from where it faces at first, a step for a quarter turn.
+fn turning(combined: &Combined) -> bool {
+    let mut agents = combined.instance.agents().iter();
+    let rules = combined.instance.constraints_in_force();
+    let turns = rules.filter(|rule| {
+        rule.constraint.kind == ConstraintKind::Turns { quarter: 1 }
+            && rule.agents.len() == combined.instance.agents().len()
+    });
+    turns.count() == 1 && agents.all(|agent| agent.heading.is_some())
+}
+
+#[test]
+fn plans_that_do_not_agree_on_turns_leave_them_out() {
+    let turning = |heading: &str| {
+        format!(
+            r#"{{"actionModel": "MAPF_T", "start": [[0, 0, "{heading}"]], "actualPaths": ["F,F"]}}"#
+        )
+    };
+    let paths = "schedule: {agent0: [{t: 0, x: 0, y: 0}, {t: 1, x: 1, y: 0}]}\n";
+    let (east, south) = (turning("E"), turning("S"));
+    for other in [&*south, paths] {
+        let files = [("room.map", ROOM), ("a.json", &*east), ("b.json", other)];
+        let read = opened(&files).unwrap();
+        assert_eq!(rules(&read), [LeftOutRule::Turning]);
+        assert!(read.instance.constraints().is_empty());
+    }
+    let read = opened(&[("room.map", ROOM), ("a.json", &east), ("b.json", &east)]).unwrap();
+    assert_eq!(rules(&read), []);
+    assert_eq!(read.instance.agents()[0].heading, Some(Heading::East));
+}
+
 #[test]
 fn turns_long_moves_and_the_order_of_errands_are_told_by_results() {
     let of = |text: &str| {
@@ -25,18 +57,18 @@ fn turns_long_moves_and_the_order_of_errands_are_told_by_results() {
         let rules = rules(&read);
         let is_told = read.notes.iter().any(|note| note.contains("left out here"));
         assert_eq!(is_told, !rules.is_empty(), "{:?}", read.notes);
-        rules
+        (rules, turning(&read))
     };
     assert_eq!(
         of(include_str!("../data/plans/small-league-2024.json")),
-        [LeftOutRule::Turning, LeftOutRule::ErrandOrder]
+        (vec![LeftOutRule::ErrandOrder], true)
     );
     assert_eq!(
         of(include_str!("../data/plans/small-league-2026.json")),
-        [LeftOutRule::Turning, LeftOutRule::LongMoves]
+        (vec![LeftOutRule::LongMoves], true)
     );
     let plain = r#"{"actionModel": "MAPF", "start": [[0, 0, "N/A"]], "actualPaths": ["R"]}"#;
-    assert_eq!(of(plain), []);
+    assert_eq!(of(plain), (vec![], false));
 }
 
 #[test]
@@ -52,14 +84,12 @@ fn robots_of_a_problem_of_the_league_turn_and_have_chosen_tasks() {
         opened(&files).unwrap()
     };
     let two = of("1\n5,3\n");
-    assert_eq!(rules(&two), [LeftOutRule::Turning]);
+    assert_eq!(rules(&two), []);
+    assert!(turning(&two));
     assert_eq!(two.instance.assumptions()[0], Assumption::GoalsChosen);
     // The first errand is at the goal: as a waypoint it is left out, and so is its order.
     for tasks in ["1\n5,6,3\n", "1\n3,5,3\n"] {
-        assert_eq!(
-            rules(&of(tasks)),
-            [LeftOutRule::Turning, LeftOutRule::ErrandOrder]
-        );
+        assert_eq!(rules(&of(tasks)), [LeftOutRule::ErrandOrder]);
     }
 }
 

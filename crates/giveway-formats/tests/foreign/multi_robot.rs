@@ -258,7 +258,7 @@ fn obstacles_that_move_stay_at_their_last_cell() {
     };
     // It is nowhere before its first state, waits between two, and stays at the last.
     let found = judged("{t: 0, x: 0, y: 0}, {t: 1, x: 1, y: 0}, {t: 2, x: 2, y: 0}");
-    assert_eq!(found, [(Rule::Obstacle, 4, vec!["a".to_owned()])]);
+    assert_eq!(found, [(Rule::Constraint, 4, vec!["a".to_owned()])]);
     let found = judged("{t: 0, x: 0, y: 0}, {t: 3, x: 1, y: 0}, {t: 4, x: 2, y: 0}");
     let times: Vec<usize> = found.iter().map(|(_, time, _)| *time).collect();
     assert_eq!(times, [3, 4]);

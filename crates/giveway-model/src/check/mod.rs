@@ -27,7 +27,6 @@ use findings::Findings;
 
 pub use battery::levels;
 pub use costs::{arrivals, cost_of, costs, own_costs};
-pub use moving::{MovingMeeting, first_meeting};
 pub use over_time::{
     check_changes, check_history, costs_over_time, costs_until, level_at as level_over_time,
     levels as levels_over_time,

@@ -8,92 +8,47 @@
 use super::findings::{Findings, Place};
 use super::walk::Walk;
 use super::{Rule, sentence};
-use crate::{Assumption, Cell, Instance, Plan};
-use borsh::{BorshDeserialize, BorshSerialize};
+use crate::{Assumption, Cell, Instance};
 
 /// An agent that meets an obstacle which moves.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
-pub struct MovingMeeting {
-    /// The agent.
-    pub agent: String,
-    /// The obstacle's name.
-    pub obstacle: String,
+struct Meeting {
     /// The time; where the two exchange cells, the one at which that begins.
-    pub time: u32,
+    time: usize,
     /// The cell of the agent: where both are, or the one that it exchanges for the other's.
-    pub cell: Cell,
+    cell: Cell,
     /// The cell that the agent goes to, where the two exchange cells.
-    pub to: Option<Cell>,
-}
-
-impl MovingMeeting {
-    /// The meeting as a sentence.
-    pub fn sentence(&self) -> String {
-        match self.to {
-            None => sentence::moving(&self.agent, &self.obstacle, self.cell, self.time),
-            Some(to) => {
-                sentence::moving_swap(&self.agent, &self.obstacle, (self.cell, to), self.time)
-            }
-        }
-    }
-}
-
-/// The first meeting of a plan with an obstacle that moves, by time, then agents in the order
-/// of the instance.
-pub fn first_meeting(instance: &Instance, plan: &Plan) -> Option<MovingMeeting> {
-    let walks = Walk::all(instance, plan);
-    let mut met: Vec<(usize, MovingMeeting)> = Vec::new();
-    meetings(instance, &walks, |walk, meeting| {
-        met.push((walk.index, meeting));
-    });
-    let first = met
-        .into_iter()
-        .min_by_key(|(index, met)| (met.time, *index));
-    first.map(|(_, meeting)| meeting)
+    to: Option<Cell>,
 }
 
 /// Finds every time at which an agent and a moving obstacle meet.
 pub(super) fn find(instance: &Instance, walks: &[Walk<'_>], findings: &mut Findings<'_>) {
-    meetings(instance, walks, |walk, meeting| {
-        let place = match meeting.to {
-            None => Place::Cell(meeting.cell),
-            Some(to) => Place::Edge(meeting.cell, to),
-        };
-        let time = meeting.time as usize;
-        let message = meeting.sentence();
-        findings.push(Rule::Obstacle, time, &[walk.index], place, message);
-    });
-}
-
-fn meetings(
-    instance: &Instance,
-    walks: &[Walk<'_>],
-    mut met: impl FnMut(&Walk<'_>, MovingMeeting),
-) {
     for assumption in instance.assumptions() {
-        if let Assumption::MovingObstacle { name, path } = assumption {
-            for walk in walks {
-                meet(instance, walk, (name, path), &mut |meeting| {
-                    met(walk, meeting);
-                });
-            }
+        let Assumption::MovingObstacle { name, path, closed } = assumption else {
+            continue;
+        };
+        for walk in walks {
+            let agent = &walk.agent.name;
+            meet(instance, walk, path, &mut |Meeting { time, cell, to }| {
+                let (place, message) = match to {
+                    // A rule that closes its cell judges that.
+                    None if *closed => return,
+                    None => (
+                        Place::Cell(cell),
+                        sentence::moving(agent, name, cell, time as u32),
+                    ),
+                    Some(to) => (
+                        Place::Edge(cell, to),
+                        sentence::moving_swap(agent, name, (cell, to), time as u32),
+                    ),
+                };
+                findings.push(Rule::Obstacle, time, &[walk.index], place, message);
+            });
         }
     }
 }
 
-fn meet(
-    instance: &Instance,
-    walk: &Walk<'_>,
-    (name, path): (&str, &[Cell]),
-    met: &mut dyn FnMut(MovingMeeting),
-) {
-    let meeting = |time: usize, cell, to| MovingMeeting {
-        agent: walk.agent.name.clone(),
-        obstacle: name.to_owned(),
-        time: time as u32,
-        cell,
-        to,
-    };
+fn meet(instance: &Instance, walk: &Walk<'_>, path: &[Cell], met: &mut dyn FnMut(Meeting)) {
+    let meeting = |time: usize, cell, to| Meeting { time, cell, to };
     let obstacle = |time: usize| path.get(time).or(path.last()).copied();
     let keeps = instance.keeps(walk.agent);
     let at = |time: usize| {

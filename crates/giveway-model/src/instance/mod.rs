@@ -188,13 +188,10 @@ impl Instance {
         self.constraints_in_force().next().is_some()
     }
 
-    /// The same instance without the obstacles that move: every plan of the instance is one
-    /// of it, and its bounds are bounds of the instance.
-    #[must_use]
-    pub fn without_moving_obstacles(mut self) -> Self {
+    /// Whether there are obstacles that move.
+    pub fn has_moving_obstacles(&self) -> bool {
         let moves = |one: &Assumption| matches!(one, Assumption::MovingObstacle { .. });
-        self.assumptions.retain(|one| !moves(one));
-        self
+        self.assumptions.iter().any(moves)
     }
 
     /// The same instance with more that it takes for granted; what it takes for granted already

@@ -50,11 +50,12 @@ impl Known {
                 bounds.retain(|cost, _| Some(cost) == first);
             }
             known.raise(&bounds);
-            // What is found on the way was not judged with obstacles that move and with rules
-            // that are left out.
+            // What is found on the way was not judged with rules that are left out.
             let is_relaxed = has(|one| match one {
-                Assumption::MovingObstacle { .. } | Assumption::RuleLeftOut { .. } => true,
-                Assumption::GoalsChosen | Assumption::UnknownKey { .. } => false,
+                Assumption::RuleLeftOut { .. } => true,
+                Assumption::MovingObstacle { .. }
+                | Assumption::GoalsChosen
+                | Assumption::UnknownKey { .. } => false,
             });
             if !is_relaxed {
                 known.best = run.best.or(known.best);

@@ -208,7 +208,7 @@ fn choose(state: &mut State, audit: &Audit, index: usize) {
 pub(super) fn answered(state: &mut State, audit: &Audit, run: Solving, solved: SolveAnswer) {
     let objective = audit.objective();
     let mut solved = solved;
-    if !is_judged(&run.draft, &solved) || is_beyond_rules(audit, &solved) {
+    if is_beyond_rules(audit, &solved) {
         (solved.plan, solved.costs) = (None, None);
         solved.status = Status::Unknown;
     }
@@ -241,15 +241,4 @@ fn is_beyond_rules(audit: &Audit, solved: &SolveAnswer) -> bool {
         own.is_none_or(|own| found.vector(&scene.objective) < own.vector(&scene.objective))
     };
     left_out(&scene.assumptions).is_some() && solved.costs.as_ref().is_some_and(is_better)
-}
-
-/// Whether the judge passes the plan that was found, if any was: the search leaves out
-/// obstacles that move.
-fn is_judged(draft: &Draft, solved: &SolveAnswer) -> bool {
-    let moves = |one: &Assumption| matches!(one, Assumption::MovingObstacle { .. });
-    if !draft.scene().assumptions.iter().any(moves) {
-        return true;
-    }
-    let judged = solved.plan.as_ref().zip(draft.instance().ok());
-    judged.is_none_or(|(plan, instance)| check(instance, plan).is_valid())
 }

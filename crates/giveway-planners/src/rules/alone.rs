@@ -14,7 +14,7 @@ use crate::{
         Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay, Task,
         Turns, has_to_be_at,
     },
-    terrain::{Terrain, Vertex},
+    terrain::{Arc, Terrain, Vertex},
 };
 
 impl OwnRules<'_> {
@@ -37,7 +37,7 @@ impl OwnRules<'_> {
             }
             ConstraintKind::OneWay { lane } => {
                 let back = lane.windows(2).filter_map(|pair| match *pair {
-                    [to, from] => arc(terrain, from, to),
+                    [to, from] => Some(arc(terrain, from, to)?.id),
                     _ => None,
                 });
                 forbid(task, Act::Cross(sorted(back)), Times::default());
@@ -114,7 +114,7 @@ impl OwnRules<'_> {
     }
 
     /// Whether an agent stays where it arrives.
-    fn rests(&self, agent: AgentId) -> bool {
+    pub(super) fn rests(&self, agent: AgentId) -> bool {
         let agents = self.instance.agents();
         let agent = agents.get(agent);
         agent.is_some_and(|agent| self.instance.keeps(agent))
@@ -154,8 +154,13 @@ fn visit(task: &mut Task, v: Vertex) {
     }
 }
 
-/// Keeps an agent out of an area at some times.
-fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times, bool)) {
+/// Keeps an agent away from the vertices of an area at some times, in transit not.
+pub(super) fn keep_off(
+    task: &mut Task,
+    terrain: &Terrain,
+    area: &Area,
+    (times, rests): (Times, bool),
+) {
     // At rest it would be there at the later of these times.
     let last = times.last();
     if rests && last < u32::MAX {
@@ -179,6 +184,11 @@ fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times
         task.not_before = u32::MAX;
     }
     forbid(task, Act::Stand(area.clone()), times);
+}
+
+/// Keeps an agent out of an area at some times.
+fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times, bool)) {
+    keep_off(task, terrain, area, (times, rests));
     // Half way along a slow arc it is at both ends: a step after it began to cross.
     let touches = |id: u32| {
         let (from, to) = terrain.ends(id);
@@ -197,7 +207,7 @@ fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times
     }
 }
 
-fn forbid(task: &mut Task, act: Act, times: Times) {
+pub(super) fn forbid(task: &mut Task, act: Act, times: Times) {
     task.conditions.forbidden.push(Forbidden {
         act,
         times,
@@ -212,8 +222,7 @@ fn sorted(arcs: impl Iterator<Item = u32>) -> Vec<u32> {
     arcs
 }
 
-fn arc(terrain: &Terrain, from: Cell, to: Cell) -> Option<u32> {
+pub(super) fn arc(terrain: &Terrain, from: Cell, to: Cell) -> Option<Arc> {
     let (u, v) = (terrain.vertex(from)?, terrain.vertex(to)?);
-    let arc = terrain.arcs(u).iter().find(|arc| arc.to == v)?;
-    Some(arc.id)
+    terrain.arcs(u).iter().find(|arc| arc.to == v).copied()
 }

@@ -6,6 +6,7 @@
 
 mod alone;
 mod between;
+mod moving;
 mod precedence;
 mod table;
 
@@ -33,8 +34,15 @@ pub(crate) struct OwnRules<'i> {
 impl<'i> OwnRules<'i> {
     pub(crate) fn new(instance: &'i Instance, terrain: &Terrain) -> Self {
         let area = |zone: &'i Zone| {
-            let vertices = zone.cells().filter_map(|cell| terrain.vertex(cell));
-            (zone.name.as_str(), Area::of(vertices, terrain.size()))
+            let mut vertices = zone.cells().filter_map(|cell| terrain.vertex(cell));
+            let area = match (vertices.next(), vertices.next()) {
+                (Some(only), None) => Area::One(only),
+                (first, second) => {
+                    let all = first.into_iter().chain(second).chain(vertices);
+                    Area::of(all, terrain.size())
+                }
+            };
+            (zone.name.as_str(), area)
         };
         let rules: Vec<InForce<'_>> = instance.constraints_in_force().collect();
         // Without rules there is no need of zones.
@@ -70,6 +78,7 @@ impl<'i> OwnRules<'i> {
                 self.impose_one(rule, agent, task, terrain)?;
             }
         }
+        self.heed_moving(agent, task, terrain);
         self.ask_for_entry(agent, task);
         Ok(())
     }
@@ -94,10 +103,10 @@ impl<'i> OwnRules<'i> {
             .collect()
     }
 
-    /// The last time that a rule names.
+    /// The last time that a rule names, or at which an obstacle moves.
     pub(crate) fn last_time(&self) -> u32 {
         let times = self.rules.iter().map(|rule| rule.constraint.last_time());
-        times.max().unwrap_or(0)
+        times.max().unwrap_or(0).max(self.last_time_moving())
     }
 
     fn number(&self, name: &str) -> Option<AgentId> {

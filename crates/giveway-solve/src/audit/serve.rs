@@ -21,8 +21,8 @@ pub(crate) fn serve(request: &AuditRequest, host: &dyn Host) -> Result<AuditAnsw
         Instance::new(request.scene.clone()).map_err(|faults| Refusal::Scene { faults })?;
     let report = check(&instance, &request.plan);
     let objective = request.objective.clone();
-    let relaxed = instance.clone().without_moving_obstacles();
-    let mut task = SolveTask::new(relaxed, objective, request.within, request.limits, host);
+    let audited = instance.clone();
+    let mut task = SolveTask::new(audited, objective, request.within, request.limits, host);
     let own = report.costs.filter(|_| report.is_valid());
     if own.is_some() {
         task.start = Some(request.plan.clone());

@@ -10,6 +10,7 @@ use giveway_model::{Cell, Cost, Costs, Ground, Instance, Scene, check::check};
 
 use super::{
     Closed, CriticalCell, Need,
+    cell_rules::{must_be_at, without_rules_at},
     every::Every,
     formula::{Way, plan_of},
 };
@@ -27,7 +28,7 @@ use crate::{
 const ROUNDS: [Option<u64>; 3] = [Some(3_000), Some(30_000), None];
 
 /// The proof that no scene is left without a cell, as an agent starts there, or has its goal
-/// or a waypoint there.
+/// or a waypoint there, or a rule wants it there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CellNeeded(());
 
@@ -224,6 +225,11 @@ fn need(instance: &Instance, cell: Cell) -> Option<(Need, CellNeeded)> {
         Some(Need::Goal)
     } else if any(&|agent| agent.waypoints.contains(&cell)) {
         Some(Need::Waypoint)
+    } else if instance
+        .constraints_in_force()
+        .any(|rule| must_be_at(rule.constraint, cell))
+    {
+        Some(Need::Rule)
     } else {
         None
     };
@@ -250,5 +256,6 @@ pub(super) fn scene_without(scene: &Scene, cell: Cell) -> Option<Scene> {
         .enumerate()
         .map(|(x, here)| if x == cell.x as usize { wall } else { here })
         .collect();
+    without_rules_at(&mut scene, cell);
     Some(scene)
 }

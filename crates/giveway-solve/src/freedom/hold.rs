@@ -3,7 +3,8 @@
 //! No search: the plan is changed and judged. A charge at the very time may be at the
 //! beginning or at the end of standing still, whichever lasts.
 
-use giveway_model::{Instance, Objective, Plan, check::check};
+use giveway_model::constraint::ConstraintKind;
+use giveway_model::{Assumption, Instance, Objective, Plan, check::check};
 
 use super::Hold;
 use crate::budget::{Budget, Stop};
@@ -13,6 +14,53 @@ pub(super) struct Holding<'a> {
     pub(super) instance: &'a Instance,
     pub(super) objective: &'a Objective,
     pub(super) plan: &'a Plan,
+}
+
+/// How long rules of the scene matter.
+struct Rules {
+    /// The last time that one names, or at which an obstacle moves.
+    last: u32,
+    /// The longest gap.
+    gap: u32,
+    /// The most wait steps on end that one allows.
+    patience: u32,
+}
+
+impl Rules {
+    fn of(instance: &Instance) -> Self {
+        let mut rules = Self {
+            last: 0,
+            gap: 0,
+            patience: 0,
+        };
+        for rule in instance.constraints_in_force() {
+            rules.last = rules.last.max(rule.constraint.last_time());
+            match rule.constraint.kind {
+                ConstraintKind::Gap { steps } => rules.gap = rules.gap.max(steps),
+                ConstraintKind::NoWaiting { most, .. } => {
+                    rules.patience = rules.patience.max(most);
+                }
+                ConstraintKind::Capacity { .. }
+                | ConstraintKind::Closed { .. }
+                | ConstraintKind::OneWay { .. }
+                | ConstraintKind::Apart { .. }
+                | ConstraintKind::Sequence { .. }
+                | ConstraintKind::Visit { .. }
+                | ConstraintKind::Arrive { .. }
+                | ConstraintKind::Late { .. }
+                | ConstraintKind::Depart { .. }
+                | ConstraintKind::Before { .. }
+                | ConstraintKind::Turns { .. }
+                | ConstraintKind::Avoid { .. } => {}
+            }
+        }
+        for assumption in instance.assumptions() {
+            if let Assumption::MovingObstacle { path, .. } = assumption {
+                rules.last = rules.last.max(path.len() as u32);
+            }
+        }
+        rules
+    }
 }
 
 impl Holding<'_> {
@@ -31,6 +79,13 @@ impl Holding<'_> {
         let others = self.instance.agents().iter().filter(|it| it.name != name);
         let at_rest = others.map(|it| self.plan.path(&it.name).len()).max();
         let at_rest = at_rest.unwrap_or(0) as u32;
+        let Rules {
+            last,
+            gap,
+            patience,
+        } = Rules::of(self.instance);
+        let alike = at_rest.saturating_add(gap).max(last);
+        let all = self.plan.paths.values().map(Vec::len).sum::<usize>() as u64;
         let mut holds = Vec::new();
         for time in 0..path.len().saturating_sub(1) {
             if path.get(time) == Some(&None) {
@@ -40,6 +95,7 @@ impl Holding<'_> {
             let mut steps = 0;
             loop {
                 budget.check()?;
+                budget.spend(all + u64::from(steps))?;
                 let mut stands = self.standing(name, time, steps + 1).into_iter();
                 let passes = |plan: Plan| {
                     let report = check(self.instance, &plan);
@@ -51,9 +107,10 @@ impl Holding<'_> {
                     break;
                 }
                 steps += 1;
-                // Everybody else is at rest by then, and so one step more changes
-                // nothing but the battery.
-                if time as u32 + steps > at_rest && self.is_unlimited(name) {
+                // Everybody else is at rest by then, and rules ask for nothing more, and so
+                // one step more changes nothing but the battery.
+                let is_alike = time as u32 + steps > alike && steps > patience;
+                if is_alike && self.is_unlimited(name) {
                     holds.push(Hold::Unlimited);
                     break;
                 }

@@ -2,6 +2,7 @@
 
 mod answer;
 mod backbone;
+mod cell_rules;
 mod certificates;
 mod count;
 mod critical;

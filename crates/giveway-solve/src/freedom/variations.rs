@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, btree_map::Entry};
 
 use super::{
     every::Every,
-    formula::{Succession, Way},
+    formula::{Spot, Succession, Way},
 };
 use crate::{budget::Budget, budget::Stop, single::Place, terrain::Vertex};
 
@@ -81,29 +81,24 @@ impl Variations {
         };
         let taken = taken(every, plan, agent, arrival);
         let others = |time: u32| taken.get(time as usize).map_or(&[][..], Vec::as_slice);
-        let at = |place: Place| match place {
-            Place::At(v) => Some(v),
-            Place::Along(_) => None,
+        let at = |spot: Spot| match spot.place() {
+            Some(Place::At(v)) => Some(v),
+            Some(Place::Along(_)) | None => None,
         };
         let left = all.where_free(
-            |time, (place, _)| {
-                others(time)
-                    .iter()
-                    .all(|&(here, _)| Some(here) != at(place))
-            },
-            |time, (from, _), (to, _)| {
+            |time, spot| {
                 let mut others = others(time).iter();
-                let moves = from != to;
+                others.all(|&(here, _)| Some(here) != at(spot))
+            },
+            |time, from, to| {
+                let mut others = others(time).iter();
+                let moves = from.place() != to.place();
                 !(moves && others.any(|&(here, next)| Some(here) == at(to) && next == at(from)))
             },
         );
         for spots in left.ways(MOST_WAYS) {
-            let end = spots.len().saturating_sub(1);
-            if end > 0 && spots.get(end) == spots.get(end - 1) {
-                continue; // it has arrived before
-            }
             let way = Way {
-                places: spots.into_iter().map(|(place, _)| place).collect(),
+                places: spots.into_iter().filter_map(Spot::place).collect(),
                 charges: own.charges.clone(),
             };
             if way != *own {

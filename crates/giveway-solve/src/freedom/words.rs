@@ -176,6 +176,7 @@ pub fn closed(it: &CriticalCell, objective: &Objective) -> String {
                 (Some(Need::Start), _) => tr!("a robot starts there").to_owned(),
                 (Some(Need::Goal), _) => tr!("a robot has to arrive there").to_owned(),
                 (Some(Need::Waypoint), _) => tr!("a robot has to visit it").to_owned(),
+                (Some(Need::Rule), _) => tr!("a rule wants a robot there").to_owned(),
             };
             tr!("Close {cell}: {outcome}", cell, outcome = needed)
         }

@@ -30,11 +30,13 @@ pub(crate) fn serve(request: &TogetherRequest, host: &dyn Host) -> Result<Togeth
     let whole = Instance::new(request.scene.clone()).map_err(refused)?;
     let objective = Objective::new(vec![request.cost])
         .map_err(|error| request_fault("cost", error.to_string(), "a cost"))?;
-    let scene = Scene {
+    let mut scene = Scene {
         agents: named(request, &whole)?,
         objective: objective.clone(),
         ..whole.to_scene()
     };
+    // Rules hold among these agents, and one about others alone says nothing.
+    scene.settle_rules(whole.grid());
     let instance = Instance::new(scene).map_err(refused)?;
     let budget = Budget::new(host, request.limits);
     let (regions, meetings) = ways(request, &instance, &budget);

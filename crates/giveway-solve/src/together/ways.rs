@@ -1,16 +1,43 @@
 //! Where an agent alone can be at each time while it arrives by a deadline: its MDD,
 //! looked at cell by cell.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
+
+use giveway_model::sorting::sort_by_key;
 
 use super::{CellTimes, Region};
 use crate::{
     budget::{Budget, Stop},
     encode::collisions::AgentId,
     problem::Problem,
-    single::{Mdd, Place},
+    single::{Mdd, NodeId, Place, Task},
     terrain::Terrain,
 };
+
+/// The nodes of an MDD from which the agent arrives by a deadline. Tables know no times and
+/// nothing that is counted on the way, so that not all do where rules ask for such.
+fn on_time(mdd: &Mdd, (task, earliest): (&Task, u32), by: u32) -> BTreeSet<NodeId> {
+    let mut nodes: Vec<NodeId> = (0..mdd.size()).collect();
+    sort_by_key(&mut nodes, |&id| Reverse(mdd.node(id).time));
+    let mut on_time = BTreeSet::new();
+    for id in nodes {
+        let node = mdd.node(id);
+        let may_end = matches!(node.place, Place::At(v) if task.may_end(v, node.mask, node.time));
+        let ends = may_end && (earliest..=by).contains(&node.time);
+        let goes_on = || {
+            let mut next = node.steps.iter();
+            next.any(|step| {
+                let next = mdd.find(node.time + 1, step.place, step.mask);
+                next.is_some_and(|next| on_time.contains(&next))
+            })
+        };
+        if ends || goes_on() {
+            on_time.insert(id);
+        }
+    }
+    on_time
+}
 
 /// All ways of an agent alone that arrive by a deadline.
 pub(super) struct Ways {
@@ -48,7 +75,8 @@ impl Ways {
             budget,
         )?;
         let mut layers = Vec::new();
-        for id in 0..mdd.size() {
+        let on_time = on_time(&mdd, (task, earliest), by);
+        for id in (0..mdd.size()).filter(|id| on_time.contains(id)) {
             let node = mdd.node(id);
             let time = node.time as usize;
             if layers.len() <= time {

@@ -56,8 +56,8 @@ pub fn write(scene: &Scene) -> String {
     text
 }
 
-/// `g` for goals that were chosen, `k` with a key, `m` with a name and cells, `r` with the
-/// number of a rule.
+/// `g` for goals that were chosen, `k` with a key, `m` with a name and cells, `c` likewise
+/// where rules close these cells, `r` with the number of a rule.
 fn write_assumption(assumption: &Assumption) -> String {
     match assumption {
         Assumption::GoalsChosen => "g".to_owned(),
@@ -66,8 +66,9 @@ fn write_assumption(assumption: &Assumption) -> String {
             let number = LeftOutRule::ALL.iter().position(|one| one == rule);
             format!("r{}", number.unwrap_or_default())
         }
-        Assumption::MovingObstacle { name, path } => {
-            let mut text = format!("m{}", escape(name));
+        Assumption::MovingObstacle { name, path, closed } => {
+            let kind = if *closed { 'c' } else { 'm' };
+            let mut text = format!("{kind}{}", escape(name));
             for cell in path {
                 let _ = write!(text, ".{}.{}", cell.x, cell.y);
             }
@@ -87,7 +88,7 @@ fn read_assumption(text: &str) -> Option<Assumption> {
             let rule = *LeftOutRule::ALL.get(rest.parse::<usize>().ok()?)?;
             Some(Assumption::RuleLeftOut { rule })
         }
-        "m" => {
+        kind @ ("m" | "c") => {
             let (name, cells) = rest.split_once('.')?;
             let numbers = numbers(cells)?;
             let (pairs, []) = numbers.as_chunks::<2>() else {
@@ -96,6 +97,7 @@ fn read_assumption(text: &str) -> Option<Assumption> {
             Some(Assumption::MovingObstacle {
                 name: unescape(name)?,
                 path: pairs.iter().map(|&[x, y]| Cell::new(x, y)).collect(),
+                closed: kind == "c",
             })
         }
         _ => None,

@@ -61,6 +61,8 @@ pub enum Need {
     Goal,
     /// An agent must visit it.
     Waypoint,
+    /// A rule of the scene wants an agent there.
+    Rule,
 }
 
 impl Closed {

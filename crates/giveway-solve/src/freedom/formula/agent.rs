@@ -2,14 +2,14 @@
 //!
 //! Variables are the spots of its [`layers`], "at this place at this time", "charges
 //! at this time" and "arrived by this time". All of them are determined by the way
-//! and its charges, so that two models differ just when the plans do.
+//! and its charges, so that two models differ in them just when the plans do.
 
 mod clauses;
 
 use std::collections::BTreeMap;
 
 use super::{
-    layers::{Spot, layers},
+    layers::{Spot, Steps, layers},
     way::Way,
 };
 use crate::{
@@ -44,7 +44,8 @@ impl AgentCode {
         budget: &Budget,
         out: &mut Sat,
     ) -> Result<Self, Stop> {
-        let layers = layers(problem, agent, cap, budget)?;
+        let steps = Steps::new(problem, agent);
+        let layers = layers(&steps, cap, budget)?;
         let mut spots: Vec<BTreeMap<Spot, Lit>> = Vec::with_capacity(layers.len());
         for layer in layers {
             budget.check()?;
@@ -60,11 +61,14 @@ impl AgentCode {
             by: Vec::new(),
             charges: BTreeMap::new(),
         };
-        code.write_arrivals(problem, agent, &spots, out);
-        for time in 0..=cap {
+        code.write_arrivals(&spots, out);
+        for layer in &spots {
             budget.check()?;
-            code.write_layer(time, &spots, out);
-            code.write_steps(problem, agent, time, &spots, out);
+            code.write_layer(layer, out);
+        }
+        for (pair, time) in spots.windows(2).zip(0..) {
+            budget.check()?;
+            Self::write_steps(&steps, time, pair, out);
         }
         code.write_charges(problem, agent, out);
         Ok(code)

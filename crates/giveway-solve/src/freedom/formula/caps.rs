@@ -31,8 +31,11 @@ pub(in crate::freedom) fn caps(
         let sum = counts(Cost::SumOfCosts).then(|| optimum.saturating_add(delay));
         makespan.into_iter().chain(sum).min()
     };
-    let each = problem.optima.iter();
-    let latest = each.map(|&optimum| by_costs(optimum).unwrap_or(u32::MAX).min(horizon));
+    let each = problem.optima.iter().enumerate();
+    let latest = each.map(|(agent, &optimum)| {
+        let by_costs = by_costs(optimum).unwrap_or(u32::MAX);
+        by_costs.min(horizon).min(problem.not_after(agent))
+    });
     Caps {
         latest: latest.collect(),
         reach: reach_of_best_plans(problem, (objective, best), horizon, optimum),

@@ -8,6 +8,7 @@ mod agent;
 mod caps;
 mod costs;
 mod layers;
+mod rules;
 mod succession;
 mod way;
 
@@ -26,6 +27,7 @@ use crate::{
 use agent::AgentCode;
 
 pub(super) use caps::{Caps, caps};
+pub(super) use layers::Spot;
 pub(super) use succession::Succession;
 pub(super) use way::{Way, names, plan_of, ways_of};
 
@@ -58,6 +60,7 @@ impl<'h> BestPlans<'h> {
             latest: caps.latest.iter().copied().max().unwrap_or(0),
         };
         all.write_collisions(problem, budget)?;
+        all.keep_rules(problem, budget)?;
         costs::limit(problem, &all.agents, best, &mut all.sat)?;
         budget.check()?;
         Ok(all)

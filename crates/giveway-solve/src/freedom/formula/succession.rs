@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::layers::{Spot, is_end, layers, onward};
+use super::layers::{Spot, Steps, layers};
 use crate::{
     budget::{Budget, Stop},
     problem::Problem,
@@ -20,20 +20,20 @@ impl Succession {
         (agent, arrival): (usize, u32),
         budget: &Budget,
     ) -> Result<Self, Stop> {
-        let task = &problem.tasks[agent];
-        let mut reached = layers(problem, agent, arrival, budget)?;
+        let steps = Steps::new(problem, agent);
+        let mut reached = layers(&steps, arrival, budget)?;
         if let Some(last) = reached.last_mut() {
-            last.retain(|&spot| is_end(task, spot));
+            last.retain(|&spot| steps.may_end(spot, arrival));
         }
         let mut later: BTreeSet<Spot> = BTreeSet::new();
         let mut all = Vec::with_capacity(reached.len());
-        for (back, layer) in reached.into_iter().rev().enumerate() {
+        for (time, layer) in (0..=arrival).rev().zip(reached.into_iter().rev()) {
             let mut here = BTreeMap::new();
             for spot in layer {
                 budget.tick()?;
-                let mut next = onward(problem, task, spot);
+                let mut next = steps.onward(spot, time);
                 next.retain(|to| later.contains(to));
-                if back == 0 || !next.is_empty() {
+                if time == arrival || !next.is_empty() {
                     here.insert(spot, next);
                 }
             }
