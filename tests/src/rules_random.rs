@@ -33,61 +33,88 @@ pub fn scene_with_rules(seed: u64, number: u64, kinds: &[&str]) -> Value {
     let random = &mut numbers(seed, number);
     loop {
         let agents = *[2, 2, 3].choose(random).unwrap();
-        let (width, height) = *[(3, 2), (3, 3), (4, 2), (5, 1), (4, 3), (2, 4)]
+        let size = *[(3, 2), (3, 3), (4, 2), (5, 1), (4, 3), (2, 4)]
             .choose(random)
             .unwrap();
-        let vanish = random.random_bool(0.3);
-        let (wall, slow, charger) = (
-            *[0.0, 0.1, 0.2].choose(random).unwrap(),
-            *[0.0, 0.0, 0.4].choose(random).unwrap(),
-            0.15,
-        );
-        let mut rows = vec![String::new(); height];
-        let mut free: Vec<Spot> = Vec::new();
-        for (y, row) in rows.iter_mut().enumerate() {
-            for x in 0..width {
-                let is_free = !random.random_bool(wall);
-                let (slow, charger) = (random.random_bool(slow), random.random_bool(charger));
-                row.push(match (is_free, slow, charger) {
-                    (false, ..) => '#',
-                    (true, false, false) => '.',
-                    (true, true, false) => '~',
-                    (true, false, true) => '+',
-                    (true, true, true) => '*',
-                });
-                free.extend(is_free.then_some((x, y)));
-            }
+        let most = if agents == 3 { 8 } else { usize::MAX };
+        if let Some(mut scene) = scene(random, (agents, size, most), kinds) {
+            scene["name"] = json!(format!("rules {seed}-{number}"));
+            return scene;
         }
-        if free.len() < agents + 2 || agents == 3 && free.len() > 8 {
-            continue;
-        }
-        let mut world = World {
-            random,
-            free,
-            agents,
-            zones: Vec::new(),
-        };
-        let agents: Vec<Value> = world.agents();
-        let constraints: Vec<Value> = kinds.iter().map(|kind| world.rule(kind)).collect();
-        if constraints.iter().any(Value::is_null) {
-            continue;
-        }
-        let mut costs = vec!["makespan", "sum-of-costs", "charges", "moves", "waits"];
-        costs.shuffle(world.random);
-        costs.truncate(world.random.random_range(1..=3));
-        if world.random.random_bool(0.2) {
-            let place = world.random.random_range(0..=costs.len());
-            costs.insert(place, "penalty");
-        }
-        let rules = json!({
-            "at_goal": if vanish { "vanish" } else { "stay" },
-            "battery_floor": u32::from(world.random.random_bool(0.15)),
-        });
-        return json!({
-            "giveway": 1, "name": format!("rules {seed}-{number}"), "map": rows, "rules": rules,
-            "objective": costs, "agents": agents, "zones": world.zones, "constraints": constraints,
-        });
     }
+}
+
+/// The same with 3 to 6 agents on more cells: too many for an exhaustive search.
+pub fn crowd_with_rules(seed: u64, number: u64, kinds: &[&str]) -> Value {
+    let random = &mut numbers(seed, number);
+    loop {
+        let agents = random.random_range(3..=6);
+        let size = *[(5, 3), (4, 4), (6, 4), (5, 5), (8, 2)].choose(random).unwrap();
+        if let Some(mut scene) = scene(random, (agents, size, usize::MAX), kinds) {
+            scene["name"] = json!(format!("crowd {seed}-{number}"));
+            return scene;
+        }
+    }
+}
+
+/// A scene of so many agents on a map of a size with at most so many free cells; `None`
+/// where the numbers give none.
+fn scene(
+    random: &mut ChaCha8Rng,
+    (agents, (width, height), most): (usize, Spot, usize),
+    kinds: &[&str],
+) -> Option<Value> {
+    let vanish = random.random_bool(0.3);
+    let (wall, slow, charger) = (
+        *[0.0, 0.1, 0.2].choose(random).unwrap(),
+        *[0.0, 0.0, 0.4].choose(random).unwrap(),
+        0.15,
+    );
+    let mut rows = vec![String::new(); height];
+    let mut free: Vec<Spot> = Vec::new();
+    for (y, row) in rows.iter_mut().enumerate() {
+        for x in 0..width {
+            let is_free = !random.random_bool(wall);
+            let (slow, charger) = (random.random_bool(slow), random.random_bool(charger));
+            row.push(match (is_free, slow, charger) {
+                (false, ..) => '#',
+                (true, false, false) => '.',
+                (true, true, false) => '~',
+                (true, false, true) => '+',
+                (true, true, true) => '*',
+            });
+            free.extend(is_free.then_some((x, y)));
+        }
+    }
+    if free.len() < agents + 2 || free.len() > most {
+        return None;
+    }
+    let mut world = World {
+        random,
+        free,
+        agents,
+        zones: Vec::new(),
+    };
+    let agents: Vec<Value> = world.agents();
+    let constraints: Vec<Value> = kinds.iter().map(|kind| world.rule(kind)).collect();
+    if constraints.iter().any(Value::is_null) {
+        return None;
+    }
+    let mut costs = vec!["makespan", "sum-of-costs", "charges", "moves", "waits"];
+    costs.shuffle(world.random);
+    costs.truncate(world.random.random_range(1..=3));
+    if world.random.random_bool(0.2) {
+        let place = world.random.random_range(0..=costs.len());
+        costs.insert(place, "penalty");
+    }
+    let rules = json!({
+        "at_goal": if vanish { "vanish" } else { "stay" },
+        "battery_floor": u32::from(world.random.random_bool(0.15)),
+    });
+    Some(json!({
+        "giveway": 1, "map": rows, "rules": rules,
+        "objective": costs, "agents": agents, "zones": world.zones, "constraints": constraints,
+    }))
 }
 
 struct World<'r> {

@@ -18,6 +18,9 @@ use crate::{
 /// order, and mostly finds a plan, but not for all that agents have to do.
 const ORDERS: u32 = 4;
 const PLAIN_ORDERS: u32 = 1;
+/// The same where rules of a scene's own keep others from filling the gaps: who has to pass a zone
+/// before others rest in it is found out by trying.
+const ORDERS_UNDER_RULES: u32 = 40;
 /// States of single agents that they may look at, for each agent.
 const STATES_PER_AGENT: u64 = 30_000;
 /// Configurations that LaCAM makes, for each agent.
@@ -47,6 +50,7 @@ pub fn first_plan(
 ) -> Result<Option<(Vec<Walk>, First)>, Stop> {
     let tries = match Plain::new(problem) {
         Ok(_) => PLAIN_ORDERS,
+        Err(_) if problem.is_constrained => ORDERS_UNDER_RULES,
         Err(_) => ORDERS,
     };
     let states = STATES_PER_AGENT.saturating_mul(problem.agents() as u64);

@@ -287,6 +287,13 @@ impl Problem {
         !self.between.is_empty() || !self.precedences.is_empty()
     }
 
+    /// Whether such a rule binds an agent.
+    pub fn has_rules_between_with(&self, agent: usize) -> bool {
+        let orders = &mut self.precedences.iter();
+        self.between.rules.iter().any(|rule| rule.binds(agent))
+            || orders.any(|order| order.first.0 == agent || order.second.0 == agent)
+    }
+
     /// A number of steps that no plan needs to exceed: one with more comes to
     /// the same joint state twice, and what lies between can be left out, which
     /// makes no cost higher. `None` where the number is too large to be of use.

@@ -39,6 +39,12 @@ pub(crate) const CROWDS: Marks = Marks {
     end: "<!-- end of the crowds -->",
 };
 
+/// The table of rules of a scene's own.
+pub(crate) const RULES: Marks = Marks {
+    begin: "<!-- rules: written by `./x bench --rules` -->",
+    end: "<!-- end of the rules -->",
+};
+
 /// Puts tables into the document.
 ///
 /// # Errors
@@ -68,7 +74,7 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES, CROWDS] {
+        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES, CROWDS, RULES] {
             let Marks { begin, end } = marks;
             let text = format!("before\n{begin}\nold\n{end}\nafter\n");
             let new = replaced(&text, &marks, "new\n").unwrap();

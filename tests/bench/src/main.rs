@@ -6,7 +6,7 @@
 //! hold one of them, and the tables are only printed. `./x bench --proofs` makes
 //! and checks certificates instead, `./x bench --questions` answers questions,
 //! `./x bench --changes` goes on where agents join others, `./x bench --crowds` looks
-//! at plans and bounds of crowds after some seconds.
+//! at plans and bounds of crowds after some seconds, `./x bench --rules` adds rules to scenes.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -19,6 +19,7 @@ mod document;
 mod proofs;
 mod questions;
 mod rows;
+mod rules;
 mod run;
 mod table;
 
@@ -52,6 +53,9 @@ struct Args {
     /// Only crowds; their table is written
     #[arg(long)]
     crowds: bool,
+    /// Only scenes with rules of their own; their table is written
+    #[arg(long)]
+    rules: bool,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -78,6 +82,15 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         println!("{table}");
         if args.parts.is_empty() {
             document::put(&document::CROWDS, &table)?;
+            eprintln!("written to docs/benchmarks.md");
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.rules {
+        let table = rules::table(&command, &args.parts)?;
+        println!("{table}");
+        if args.parts.is_empty() {
+            document::put(&document::RULES, &table)?;
             eprintln!("written to docs/benchmarks.md");
         }
         return Ok(ExitCode::SUCCESS);

@@ -64,6 +64,18 @@ impl Command {
         Ok((ended.rusage.utime + ended.rusage.stime).as_secs_f64())
     }
 
+    /// The standard output of the command with these words.
+    ///
+    /// # Errors
+    /// Where it cannot be run or does not end well.
+    pub(crate) fn output(&self, words: &[&str]) -> Result<String, Box<dyn Error>> {
+        let ended = process::Command::new(&self.program).args(words).output()?;
+        if !ended.status.success() {
+            return Err(format!("giveway {}: {}", words.join(" "), ended.status).into());
+        }
+        Ok(String::from_utf8(ended.stdout)?)
+    }
+
     /// Runs one row to its end.
     ///
     /// # Errors

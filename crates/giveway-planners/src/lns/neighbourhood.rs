@@ -109,6 +109,9 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
             shuffle(self.rng, &mut steps);
             let next = steps.into_iter().find_map(|step| {
                 let arc = step.map(|i| arcs[i]);
+                if arc.is_some_and(|arc| !task.may_cross(arc.id, None)) {
+                    return None;
+                }
                 let to = arc.map_or(v, |arc| arc.to);
                 let then = time + 1 + u32::from(arc.is_some_and(|arc| arc.slow));
                 let rest = cost_to_go.from(to, mask | task.bit(to), level)?;
@@ -121,6 +124,8 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
                 }
             };
             plan.others.at(then, to).for_each(&mut meet);
+            let kept_away_by = plan.others.kept_away_by(agent, then, to);
+            kept_away_by.into_iter().for_each(&mut meet);
             if let Some(arc) = arc {
                 plan.others.against(time, arc.id).for_each(&mut meet);
             }
@@ -129,7 +134,8 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
         }
     }
 
-    /// The agent, and those that it would meet on a best way of its own.
+    /// The agent, and those that it would meet on a best way of its own, or that rules keep it
+    /// from that way for.
     fn by_own_way(&mut self, seed: AgentId) -> Vec<AgentId> {
         let plan = self.plan;
         let problem = plan.problem();
@@ -142,6 +148,9 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
             let first = below(self.rng, arcs.len().max(1));
             let arcs = arcs[first..].iter().chain(&arcs[..first]);
             let best = arcs.copied().find(|arc| {
+                if !task.may_cross(arc.id, None) {
+                    return false;
+                }
                 let steps = 1 + u32::from(arc.slow);
                 let onward = cost_to_go.from(arc.to, mask | task.bit(arc.to), level);
                 onward.is_some_and(|onward| onward + steps <= rest)
@@ -152,6 +161,7 @@ impl<O: OtherAgents> Neighbourhoods<'_, '_, O> {
             v = arc.to;
             mask |= task.bit(v);
             met.extend(plan.others.at(time, v));
+            met.extend(plan.others.kept_away_by(seed, time, v));
         }
         met.extend(plan.others.after(time, task.goal.unwrap_or(v)));
         shuffle(self.rng, &mut met);

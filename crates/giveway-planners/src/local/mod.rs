@@ -7,6 +7,7 @@ mod others;
 mod repair;
 mod reservations;
 mod safe_interval;
+mod shared_rules;
 mod space_time;
 #[cfg(test)]
 mod tests;

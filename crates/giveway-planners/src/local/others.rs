@@ -42,6 +42,12 @@ pub trait OtherAgents {
         Vec::new()
     }
 
+    /// The agents that rules between agents keep an agent from a vertex for at a time, as far as
+    /// they are known; it may be one of them itself.
+    fn kept_away_by(&self, _agent: AgentId, _time: u32, _v: Vertex) -> Vec<AgentId> {
+        Vec::new()
+    }
+
     /// The agents with which an agent would break a rule between agents.
     fn met_by_rules(&self, _here: Presence) -> Vec<AgentId> {
         Vec::new()

@@ -3,13 +3,22 @@
 //! Between the spans are the safe intervals of Phillips and Likhachev, "SIPP: Safe interval path planning for
 //! dynamic environments" (2011).
 
-use super::{OtherAgents, Query, safe_interval::Sipp};
+use std::collections::BTreeSet;
+
+use giveway_model::condition::Times;
+
+use super::{
+    OtherAgents, Query,
+    safe_interval::{Sipp, is_told},
+    shared_rules::SharedRules,
+};
 use crate::{
     AgentId,
     budget::{Budget, Stop},
     problem::Problem,
-    single::Place,
-    terrain::Vertex,
+    rules::Presence,
+    single::{Mask, Place},
+    terrain::{Arc, Vertex},
     walk::Walk,
 };
 
@@ -29,19 +38,21 @@ pub(super) struct Span {
 pub struct Timetable<'p> {
     pub(super) problem: &'p Problem,
     pub(super) spans: Vec<Vec<Span>>,
+    /// What rules between agents look at, where there are some.
+    shared: Option<SharedRules<'p>>,
     sipp: Sipp,
 }
 
 impl<'p> Timetable<'p> {
     /// Of nobody; `None` where walks may collide by what is asked for, or begin
-    /// half way along an arc, which spans do not tell; or where rules are between agents.
+    /// half way along an arc, which spans do not tell.
     pub fn new(problem: &'p Problem) -> Option<Self> {
         let fits = problem.relaxed.ignored.is_empty()
-            && !problem.has_rules_between()
             && problem.tasks.iter().all(|task| task.transit.is_none());
         fits.then(|| Self {
             problem,
             spans: vec![Vec::new(); problem.terrain.size()],
+            shared: SharedRules::new(problem),
             sipp: Sipp::default(),
         })
     }
@@ -82,6 +93,56 @@ impl<'p> Timetable<'p> {
         left.take_while(|span| span.to >= earliest)
             .find(|span| span.to <= time && span.next == u)
             .copied()
+    }
+
+    /// Whether somebody comes the other way, if an agent leaves `u` at a time.
+    pub(super) fn is_swap(&self, leaving: u32, u: Vertex, arc: Arc) -> bool {
+        let opposite = (arc.to, u);
+        let against = |time| self.crosses(time, opposite, arc.slow).is_some();
+        against(leaving) || arc.slow && against(leaving + 1)
+    }
+
+    /// The spans of time for which agents are at a vertex, or in transit to or from it.
+    pub(super) fn touching(&self, v: Vertex, mut each: impl FnMut(AgentId, (u32, u32))) {
+        let arcs = self.problem.terrain.arcs(v);
+        let is_slow = |to: Vertex| arcs.iter().any(|arc| arc.slow && arc.to == to);
+        for span in self.spans.get(v as usize).into_iter().flatten() {
+            // In transit it is a step after it left.
+            let to = span.to.saturating_add(u32::from(is_slow(span.next)));
+            each(span.agent as AgentId, (span.from, to));
+        }
+        for arc in arcs.iter().filter(|arc| arc.slow) {
+            let spans = self.spans.get(arc.to as usize).into_iter().flatten();
+            for span in spans.filter(|span| span.next == v) {
+                each(span.agent as AgentId, (span.to + 1, span.to + 1));
+            }
+        }
+    }
+
+    /// The spans of time, among some times, at which so many agents are in the zone of a rule
+    /// between agents.
+    pub(super) fn full(&self, rule: usize, most: u32, times: Times) -> Vec<(u32, u32)> {
+        let shared = self.shared.as_ref();
+        shared.map_or_else(Vec::new, |shared| shared.full(rule, most, times))
+    }
+
+    /// When an agent must not be at a vertex, because another has not been at one before.
+    pub(super) fn before_first_visit(
+        &self,
+        agent: AgentId,
+        v: Vertex,
+    ) -> impl Iterator<Item = (u32, u32)> + '_ {
+        let shared = self.shared.iter();
+        shared.flat_map(move |shared| shared.before_first_visit(agent, v))
+    }
+
+    /// The vertices at which an agent has to be before others are somewhere, each with the time
+    /// at which they are.
+    pub(super) fn visits_due(&self, agent: AgentId) -> Vec<(Vertex, u32)> {
+        let shared = self.shared.iter();
+        shared
+            .flat_map(|shared| shared.visits_due(agent))
+            .collect()
     }
 
     /// The spans of a walk, each with its vertex.
@@ -137,6 +198,9 @@ impl OtherAgents for Timetable<'_> {
     }
 
     fn add(&mut self, agent: AgentId, walk: &[Place]) {
+        if let Some(shared) = &mut self.shared {
+            shared.add(agent, walk);
+        }
         let mut all = std::mem::take(&mut self.spans);
         self.spans_of(agent, walk, |v, span| {
             let spans = &mut all[v as usize];
@@ -147,6 +211,9 @@ impl OtherAgents for Timetable<'_> {
     }
 
     fn remove(&mut self, agent: AgentId, walk: &[Place]) {
+        if let Some(shared) = &mut self.shared {
+            shared.remove(agent, walk);
+        }
         let mut all = std::mem::take(&mut self.spans);
         self.spans_of(agent, walk, |v, span| {
             let spans = &mut all[v as usize];
@@ -189,13 +256,40 @@ impl OtherAgents for Timetable<'_> {
         spans.map(|span| span.agent as AgentId).collect()
     }
 
+    fn kept_away_by(&self, agent: AgentId, time: u32, v: Vertex) -> Vec<AgentId> {
+        let shared = self.shared.as_ref();
+        shared.map_or_else(Vec::new, |shared| shared.met(agent, time, v))
+    }
+
+    fn met_by_rules(&self, here: Presence) -> Vec<AgentId> {
+        let table = self.shared.as_ref().and_then(SharedRules::table);
+        table.map_or_else(Vec::new, |table| table.met(here))
+    }
+
+    fn met_at_rest(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
+        let table = self.shared.as_ref().and_then(SharedRules::table);
+        table.map_or_else(Vec::new, |table| table.met_at_rest(agent, v, time, mask))
+    }
+
+    fn met_by_rules_on(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {
+        let table = self.shared.as_ref().and_then(SharedRules::table);
+        table.map_or_else(BTreeSet::new, |table| table.met_by(agent, walk))
+    }
+
     fn plan(&mut self, query: Query, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop> {
-        let plain = self.problem.tasks[query.agent].is_plain();
-        if !plain || query.conflict_penalty.is_some() {
-            return super::plan_one(self.problem, self, query, budget);
+        let problem = self.problem;
+        let is_plain = problem.tasks[query.agent].is_plain()
+            && !problem.has_rules_between_with(query.agent);
+        let is_ruled = !is_plain && problem.is_constrained && is_told(self, query);
+        if query.conflict_penalty.is_some() || !is_plain && !is_ruled {
+            return super::plan_one(problem, self, query, budget);
         }
         let mut sipp = std::mem::take(&mut self.sipp);
-        let found = sipp.run(self, query, budget);
+        let found = if is_plain {
+            sipp.plain(self, query, budget)
+        } else {
+            sipp.ruled(self, query, budget)
+        };
         self.sipp = sipp;
         Ok(found?.map(|walk| (walk, 0)))
     }

@@ -66,6 +66,9 @@ pub struct Outcome {
     pub attempts: Option<Vec<OrderAttempt>>,
 }
 
+/// States to look at for one agent under rules of a scene's own, which safe intervals do not
+/// tell all of.
+const MOST_UNDER_RULES: u32 = 100_000;
 /// Attempts that are told at most.
 const MOST_TOLD: usize = 200;
 /// Walks are told up to so many places in all.
@@ -186,7 +189,7 @@ impl OrderAttempt {
                 agent,
                 latest: horizon,
                 conflict_penalty: None,
-                expansion_limit: u32::MAX,
+                expansion_limit: expansion_limit(others.problem()),
             };
             let walk = others.plan(query, budget)?.map(|(walk, _)| walk);
             let alone = others.problem().optima[agent];
@@ -221,6 +224,15 @@ impl OrderAttempt {
     }
 }
 
+/// The states to look at for one agent.
+const fn expansion_limit(problem: &Problem) -> u32 {
+    if problem.is_constrained {
+        MOST_UNDER_RULES
+    } else {
+        u32::MAX
+    }
+}
+
 /// The agents on the way that an agent would take alone.
 fn in_the_way(
     others: &mut impl OtherAgents,
@@ -231,7 +243,7 @@ fn in_the_way(
         agent,
         latest: others.problem().optima[agent],
         conflict_penalty: Some(1),
-        expansion_limit: u32::MAX,
+        expansion_limit: expansion_limit(others.problem()),
     };
     let own = others.plan(query, budget)?;
     let met = own.map(|(walk, _)| others.met_by(agent, &walk));

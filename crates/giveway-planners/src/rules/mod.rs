@@ -12,11 +12,16 @@ mod table;
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Instance, Zone, constraint::InForce, sorting::map};
+use giveway_model::{
+    Instance, Zone,
+    condition::Times,
+    constraint::InForce,
+    sorting::{map, sort},
+};
 
 use crate::{
     AgentId,
-    single::{Area, NoPlanAlone, Task},
+    single::{Act, Area, Forbidden, NoPlanAlone, Task},
     terrain::Terrain,
 };
 
@@ -80,6 +85,7 @@ impl<'i> OwnRules<'i> {
         }
         self.heed_moving(agent, task, terrain);
         self.ask_for_entry(agent, task);
+        join_lanes(task);
         Ok(())
     }
 
@@ -112,5 +118,30 @@ impl<'i> OwnRules<'i> {
     fn number(&self, name: &str) -> Option<AgentId> {
         let mut agents = self.instance.agents().iter();
         agents.position(|agent| agent.name == name)
+    }
+}
+
+/// Makes one list of the arcs that are forbidden at all times: searches look at each list for
+/// each arc.
+fn join_lanes(task: &mut Task) {
+    let mut closed = Vec::new();
+    task.conditions.forbidden.retain(|forbidden| {
+        let is_lane = forbidden.times.are_all() && forbidden.unless == 0;
+        match &forbidden.act {
+            Act::Cross(arcs) if is_lane => {
+                closed.extend_from_slice(arcs);
+                false
+            }
+            Act::Cross(_) | Act::Stand(_) | Act::Charge(_) => true,
+        }
+    });
+    if !closed.is_empty() {
+        sort(&mut closed);
+        closed.dedup();
+        task.conditions.forbidden.push(Forbidden {
+            act: Act::Cross(closed),
+            times: Times::default(),
+            unless: 0,
+        });
     }
 }

@@ -134,6 +134,12 @@ impl Automaton {
         *self == Self::default()
     }
 
+    /// Whether it has nothing that tables know but what is forbidden, whatever was done before.
+    pub(super) fn only_forbids(&self) -> bool {
+        let has_no_set = self.counters.is_empty() && self.required.is_empty();
+        has_no_set && self.forbidden.iter().all(|forbidden| forbidden.unless == 0)
+    }
+
     /// Its parts; those of one kind in their order.
     pub fn parts(&self) -> impl Iterator<Item = Part<'_>> {
         let Self {
@@ -266,8 +272,8 @@ impl Automaton {
         self.counted(mask, |counter, count| counter.next(count, passage))
     }
 
-    /// A mask whose counts become other ones, digit by digit.
-    fn counted(
+    /// A mask whose counts become other ones, digit by digit; `None` where one of them is none.
+    pub(crate) fn counted(
         &self,
         mask: Mask,
         mut next: impl FnMut(&Counter, u32) -> Option<u32>,

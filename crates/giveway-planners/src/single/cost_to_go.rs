@@ -60,7 +60,7 @@ pub struct CostToGo {
 }
 
 enum Table {
-    /// Of an agent that has only to reach its goal: one number a vertex.
+    /// Of an agent that has only to reach its goal, where nothing is counted: one number a vertex.
     Distances(Distances),
     /// Of all others.
     Labels(Labels),
@@ -89,7 +89,7 @@ impl CostToGo {
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         if Distances::suffice(task, metric) {
-            let distances = Distances::new(task.ends(terrain), terrain, metric, budget)?;
+            let distances = Distances::new(task, terrain, metric, budget)?;
             let held = budget.hold(distances.bytes());
             return Ok(Self {
                 table: Table::Distances(distances),

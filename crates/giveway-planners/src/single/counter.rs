@@ -96,8 +96,13 @@ impl LongWait {
 
 impl Stay {
     /// The digit of a stay that was made.
-    const fn done(&self) -> u32 {
+    pub(crate) const fn done(&self) -> u32 {
         self.steps.saturating_add(1)
+    }
+
+    /// Whether a digit is that of a stay that was made.
+    pub(crate) const fn is_done(&self, run: u32) -> bool {
+        run == self.done()
     }
 
     fn next(&self, run: u32, to: Place, now: u32) -> u32 {
@@ -151,9 +156,32 @@ impl Turns {
             let stood = (stood + u32::from(waits)).min(self.stood() - 1);
             return Some(self.digit(facing, stood));
         };
-        let quarters = facing.map_or(0, |facing| facing.quarters_to(heading));
-        let has_turned = stood >= self.quarter.saturating_mul(quarters);
+        let has_turned = stood >= self.turning(facing, heading);
         has_turned.then(|| self.digit(Some(heading), 0))
+    }
+
+    /// The steps of a turn from one direction to another.
+    fn turning(self, facing: Option<Heading>, heading: Heading) -> u32 {
+        let quarters = facing.map_or(0, |facing| facing.quarters_to(heading));
+        self.quarter.saturating_mul(quarters)
+    }
+
+    /// The steps for which an agent still stands before it moves into a direction.
+    pub(crate) fn stands_before(self, digit: u32, heading: Option<Heading>) -> u32 {
+        let (facing, stood) = self.facing(digit);
+        let turning = heading.map_or(0, |heading| self.turning(facing, heading));
+        turning.saturating_sub(stood)
+    }
+
+    /// The digit after a move into a direction.
+    pub(crate) fn after_move(self, heading: Option<Heading>) -> u32 {
+        self.digit(heading, 0)
+    }
+
+    /// The digit after so many more steps of standing.
+    pub(crate) fn after_standing(self, digit: u32, steps: u32) -> u32 {
+        let (facing, stood) = self.facing(digit);
+        self.digit(facing, stood.saturating_add(steps).min(self.stood() - 1))
     }
 }
 

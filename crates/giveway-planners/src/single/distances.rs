@@ -1,7 +1,8 @@
 //! How far it is to a goal, from everywhere: the table of an agent without a
-//! battery, waypoints or conditions.
+//! battery or waypoints, of which nothing is counted.
 //!
-//! A breadth-first search backwards from the goal. In a crowd of a thousand
+//! A breadth-first search backwards from the goal, around what the agent must not do at any
+//! time. In a crowd of a thousand
 //! these tables are most of what is held, so a number takes two bytes where
 //! no distance is too large for them.
 
@@ -28,7 +29,7 @@ impl Distances {
         metric != Metric::Charges
             && task.reserve.is_none()
             && task.waypoints.is_empty()
-            && task.conditions.is_empty()
+            && task.conditions.only_forbids()
             && matches!(task.bounds, Bounds::Free)
     }
 
@@ -43,28 +44,24 @@ impl Distances {
     /// Measures them: in two bytes each where the farthest vertex allows it, as it
     /// does on all but the largest mazes.
     pub(super) fn new(
-        ends: Vec<Vertex>,
+        task: &Task,
         terrain: &Terrain,
         metric: Metric,
         budget: &dyn Budget,
     ) -> Result<Self, Stop> {
         budget.check()?;
-        match Self::narrow(ends.clone(), terrain, metric, budget)? {
+        let roads = Roads::of(task, terrain, metric);
+        match Self::narrow(&roads, budget)? {
             Some(narrow) => Ok(narrow),
-            None => Self::wide(ends, terrain, metric, budget),
+            None => Self::wide(&roads, budget),
         }
     }
 
     /// In two bytes each; `None` where a distance is too large for them.
-    fn narrow(
-        ends: Vec<Vertex>,
-        terrain: &Terrain,
-        metric: Metric,
-        budget: &dyn Budget,
-    ) -> Result<Option<Self>, Stop> {
-        let mut table = vec![u16::MAX; terrain.size()];
+    fn narrow(roads: &Roads, budget: &dyn Budget) -> Result<Option<Self>, Stop> {
+        let mut table = vec![u16::MAX; roads.terrain.size()];
         let mut fits = true;
-        measure(ends, terrain, metric, budget, |v, cost| {
+        roads.measure(budget, |v, cost| {
             let entry = &mut table[v as usize];
             let first = *entry == u16::MAX;
             match u16::try_from(cost) {
@@ -84,14 +81,9 @@ impl Distances {
         Ok(fits.then_some(Self::Narrow(table)))
     }
 
-    fn wide(
-        ends: Vec<Vertex>,
-        terrain: &Terrain,
-        metric: Metric,
-        budget: &dyn Budget,
-    ) -> Result<Self, Stop> {
-        let mut table = vec![u32::MAX; terrain.size()];
-        measure(ends, terrain, metric, budget, |v, cost| {
+    fn wide(roads: &Roads, budget: &dyn Budget) -> Result<Self, Stop> {
+        let mut table = vec![u32::MAX; roads.terrain.size()];
+        roads.measure(budget, |v, cost| {
             let entry = &mut table[v as usize];
             let first = *entry == u32::MAX;
             if first {
@@ -117,36 +109,66 @@ impl Distances {
     }
 }
 
-/// Meets the vertices in the order of their distance. `meet` is true for a
-/// vertex that it did not know; one may come again, farther.
-fn measure(
+/// Where an agent may go at all.
+struct Roads<'a> {
     ends: Vec<Vertex>,
-    terrain: &Terrain,
+    task: &'a Task,
+    terrain: &'a Terrain,
     metric: Metric,
-    budget: &dyn Budget,
-    mut meet: impl FnMut(Vertex, u32) -> bool,
-) -> Result<(), Stop> {
-    // Vertices at this distance, and one and two further on.
-    let mut layers = [ends, Vec::new(), Vec::new()];
-    let mut cost = 0;
-    while layers.iter().any(|layer| !layer.is_empty()) {
-        let [now, next, second] = &mut layers;
-        budget.spend(now.len() as u64)?;
-        for v in now.drain(..) {
-            if !meet(v, cost) {
-                continue;
-            }
-            for arc in terrain.arcs(v) {
-                match metric.of_move(arc.slow) {
-                    1 => next.push(arc.to),
-                    _ => second.push(arc.to),
+    /// Whether all arcs and vertices are free.
+    are_free: bool,
+}
+
+impl<'a> Roads<'a> {
+    fn of(task: &'a Task, terrain: &'a Terrain, metric: Metric) -> Self {
+        let mut ends = task.ends(terrain);
+        ends.retain(|&end| task.may_stand(end, 0, None));
+        Self {
+            ends,
+            are_free: task.conditions.forbidden.is_empty(),
+            task,
+            terrain,
+            metric,
+        }
+    }
+
+    /// Meets the vertices in the order of their distance. `meet` is true for a
+    /// vertex that it did not know; one may come again, farther.
+    fn measure(
+        &self,
+        budget: &dyn Budget,
+        mut meet: impl FnMut(Vertex, u32) -> bool,
+    ) -> Result<(), Stop> {
+        // Vertices at this distance, and one and two further on.
+        let mut layers = [self.ends.clone(), Vec::new(), Vec::new()];
+        let mut cost = 0;
+        while layers.iter().any(|layer| !layer.is_empty()) {
+            let [now, next, second] = &mut layers;
+            budget.spend(now.len() as u64)?;
+            for v in now.drain(..) {
+                if !meet(v, cost) {
+                    continue;
+                }
+                for arc in self.terrain.arcs(v) {
+                    if !(self.are_free || self.leads(arc.to, arc.id ^ 1)) {
+                        continue;
+                    }
+                    match self.metric.of_move(arc.slow) {
+                        1 => next.push(arc.to),
+                        _ => second.push(arc.to),
+                    }
                 }
             }
+            layers.rotate_left(1);
+            cost += 1;
         }
-        layers.rotate_left(1);
-        cost += 1;
+        Ok(())
     }
-    Ok(())
+
+    /// Whether the agent may be at a vertex and cross an arc from there, at some time.
+    fn leads(&self, from: Vertex, arc: u32) -> bool {
+        self.task.conditions.may_cross(arc, None) && self.task.may_stand(from, 0, None)
+    }
 }
 
 #[cfg(test)]
@@ -165,11 +187,17 @@ mod tests {
         for seed in 0..100 {
             let instance = random(seed, 1);
             let terrain = Terrain::new(instance.grid());
+            let agent = &instance.agents()[0];
+            let Ok(mut task) = Task::new(agent, instance.rules(), &terrain) else {
+                continue;
+            };
             for goal in 0..terrain.size() as Vertex {
+                task.goal = Some(goal);
                 for metric in [Metric::Time, Metric::Moves] {
-                    let narrow = Distances::narrow(vec![goal], &terrain, metric, &budget).unwrap();
+                    let roads = Roads::of(&task, &terrain, metric);
+                    let narrow = Distances::narrow(&roads, &budget).unwrap();
                     let narrow = narrow.unwrap();
-                    let wide = Distances::wide(vec![goal], &terrain, metric, &budget).unwrap();
+                    let wide = Distances::wide(&roads, &budget).unwrap();
                     for v in 0..terrain.size() as Vertex {
                         assert_eq!(narrow.from(v), wide.from(v));
                         known += u32::from(wide.from(v).is_some());
@@ -202,8 +230,9 @@ mod tests {
             lines[0].replace_range(..3, "a A");
             let snake = instance(&lines.join("\n"));
             let terrain = Terrain::new(snake.grid());
-            let task = Task::new(&snake.agents()[0], snake.rules(), &terrain).unwrap();
-            let table = Distances::new(vec![task.start], &terrain, Metric::Time, &budget).unwrap();
+            let mut task = Task::new(&snake.agents()[0], snake.rules(), &terrain).unwrap();
+            task.goal = Some(task.start);
+            let table = Distances::new(&task, &terrain, Metric::Time, &budget).unwrap();
             assert_eq!(table.bytes(), each * terrain.size());
             let all = (0..terrain.size() as Vertex).filter_map(|v| table.from(v));
             assert_eq!(all.max(), Some(rows as u32 * 513 - 2));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Constraint, Costs, Fault, Instance, Plan, Version, check::check};
+use giveway_model::{Constraint, Costs, Fault, Instance, Objective, Plan, Version, check::check};
 use giveway_planners::{
     budget::Stop,
     planner::{self, Asked, Halt, Inability, Outcome, Planner, Report},
@@ -29,6 +29,7 @@ pub(crate) fn serve(request: &PlanRequest, host: &dyn Host) -> Result<PlanAnswer
         request,
         order: order(request, &instance)?,
         names: names(&instance),
+        objective: instance.in_force(instance.objective().clone()),
         instance,
         budget: Budget::new(host, request.limits),
     };
@@ -64,6 +65,8 @@ struct PlanTask<'a> {
     request: &'a PlanRequest,
     order: Order,
     names: Vec<String>,
+    /// The objective as it is in force.
+    objective: Objective,
     instance: Instance,
     budget: Budget<'a>,
 }
@@ -73,7 +76,7 @@ impl PlanTask<'_> {
         let grid = self.instance.grid();
         let asked = Asked {
             problem,
-            objective: self.instance.objective(),
+            objective: &self.objective,
             within: self.request.within,
             default_horizon: problem.default_horizon(grid),
             order: self.order.clone(),
@@ -141,7 +144,7 @@ impl PlanTask<'_> {
         PlanAnswer {
             giveway: Version,
             planner: self.request.planner,
-            objective: self.instance.objective().clone(),
+            objective: self.objective.clone(),
             ended,
             costs: None,
             bounds: BTreeMap::new(),

@@ -314,6 +314,23 @@ fn every_planner_finds_a_plan_and_tells_how() {
 }
 
 #[test]
+fn neighbourhoods_lessen_a_penalty_that_the_objective_does_not_name() {
+    // The planned order lets B wait where each time costs 2; A may wait as well.
+    let mut scene: Value = serde_json::from_str(CROSSING).unwrap();
+    scene["zones"] = json!([{ "name": "dock", "cells": [[1, 0]] }]);
+    scene["constraints"] = json!([{ "kind": "avoid", "zone": "dock", "weight": 2 }]);
+    let scene = scene.to_string();
+    let costs = |planner| {
+        let answer = planned(request(&scene, planner));
+        let costs = answer.objective.costs();
+        assert_eq!(costs, [Cost::SumOfCosts, Cost::Makespan, Cost::Penalty]);
+        answer.costs.unwrap().vector(&answer.objective)
+    };
+    assert_eq!(costs(Planner::Prioritised), [5, 3, 4]);
+    assert_eq!(costs(Planner::Lns), [5, 3, 2]);
+}
+
+#[test]
 fn pibt_says_after_how_many_steps_it_ended() {
     let answer = planned(request(SWAP, Planner::Pibt));
     let text = said(&answer);
