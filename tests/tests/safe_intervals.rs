@@ -100,7 +100,8 @@ fn compare(scene: &Value, first: usize, seen: &mut Seen) {
     }
     for agent in order {
         both.remove(agent);
-        assert!(both.plan(agent, latest(agent), seen));
+        let again = both.plan(agent, latest(agent), seen);
+        assert!(again, "agent {agent} has no way again: {:?} {}", both.walks, both.what);
     }
     let names: Vec<String> = instance
         .agents()

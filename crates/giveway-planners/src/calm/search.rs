@@ -157,7 +157,7 @@ impl<O: OtherAgents> Search<'_, O> {
         blocker.is_some()
     }
 
-    /// Whether an agent may end its walk here: nobody comes by later.
+    /// Whether an agent may end its walk here: nobody comes by later, and no rule forbids it.
     fn may_end(&self, label: &Label) -> bool {
         let Place::At(v) = label.state.place else {
             return false;
@@ -165,13 +165,13 @@ impl<O: OtherAgents> Search<'_, O> {
         self.task.may_end(v, label.state.mask, label.time)
             && label.time >= self.earliest
             && !(self.problem.rests(self.query.agent)
-                && (self.is_met(self.others.after(label.time, v))
-                    || self.is_met(self.met_at_rest(label, v).into_iter())))
+                && self.is_met(self.others.after(label.time, v)))
+            && !self.is_met(self.met_after_end(label, v).into_iter())
     }
 
-    fn met_at_rest(&self, label: &Label, v: Vertex) -> Vec<AgentId> {
+    fn met_after_end(&self, label: &Label, v: Vertex) -> Vec<AgentId> {
         let (agent, mask) = (self.query.agent, label.state.mask);
-        self.others.met_at_rest(agent, v, label.time, mask)
+        self.others.met_after_end(agent, v, label.time, mask)
     }
 
     fn expand(&mut self, id: u32, label: &Label) {

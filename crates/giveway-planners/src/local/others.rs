@@ -53,8 +53,8 @@ pub trait OtherAgents {
         Vec::new()
     }
 
-    /// The same of an agent that rests at a vertex after a time, having come so far.
-    fn met_at_rest(&self, _agent: AgentId, _v: Vertex, _time: u32, _mask: Mask) -> Vec<AgentId> {
+    /// The same of an agent whose walk ends at a vertex at a time, having come so far.
+    fn met_after_end(&self, _agent: AgentId, _v: Vertex, _time: u32, _mask: Mask) -> Vec<AgentId> {
         Vec::new()
     }
 

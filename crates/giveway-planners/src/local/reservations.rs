@@ -161,10 +161,10 @@ impl OtherAgents for Reservations<'_> {
         rules.flat_map(|rules| rules.met(here)).collect()
     }
 
-    fn met_at_rest(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
+    fn met_after_end(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
         let rules = self.rules.iter();
         rules
-            .flat_map(|rules| rules.met_at_rest(agent, v, time, mask))
+            .flat_map(|rules| rules.met_after_end(agent, v, time, mask))
             .collect()
     }
 

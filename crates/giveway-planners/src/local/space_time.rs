@@ -176,12 +176,15 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
             return;
         }
         let (agent, rests) = (self.query.agent, self.problem.rests(self.query.agent));
-        let later = if rests {
-            let at_rest = self.others.met_at_rest(agent, v, state.time, state.mask);
-            self.count(self.others.after(state.time, v)) + at_rest.len() as u32
+        let passing = if rests {
+            self.count(self.others.after(state.time, v))
         } else {
             0
         };
+        let by_rules = self
+            .others
+            .met_after_end(agent, v, state.time, state.mask);
+        let later = passing + by_rules.len() as u32;
         if later == 0 || self.query.conflict_penalty.is_some() {
             let (time, collisions) = (state.time, state.collisions + later);
             let key = (self.total(time, collisions), collisions, Reverse(time), id);

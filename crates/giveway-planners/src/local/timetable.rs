@@ -266,9 +266,9 @@ impl OtherAgents for Timetable<'_> {
         table.map_or_else(Vec::new, |table| table.met(here))
     }
 
-    fn met_at_rest(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
+    fn met_after_end(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
         let table = self.shared.as_ref().and_then(SharedRules::table);
-        table.map_or_else(Vec::new, |table| table.met_at_rest(agent, v, time, mask))
+        table.map_or_else(Vec::new, |table| table.met_after_end(agent, v, time, mask))
     }
 
     fn met_by_rules_on(&self, agent: AgentId, walk: &[Place]) -> BTreeSet<AgentId> {

@@ -253,12 +253,12 @@ impl<'p> RuleTable<'p> {
             .chain(resting.map(|&(_, agent)| agent))
     }
 
-    /// The agents that an agent must not rest with, at a vertex after a time; `mask` is how
-    /// far it has come.
-    pub fn met_at_rest(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
+    /// The agents with which an agent breaks a rule after its walk has ended at a vertex at a
+    /// time: it rests there, or is gone. `mask` is how far it has come.
+    pub fn met_after_end(&self, agent: AgentId, v: Vertex, time: u32, mask: Mask) -> Vec<AgentId> {
         let mut met = Vec::new();
         for (number, rule) in self.problem.between.rules.iter().enumerate() {
-            if !rule.binds(agent) {
+            if !rule.binds(agent) || !self.problem.rests(agent) {
                 continue;
             }
             let is_other = |other: &AgentId| *other != agent && rule.binds(*other);
@@ -317,9 +317,8 @@ impl<'p> RuleTable<'p> {
         }
         if let Some(&Place::At(end)) = walk.last()
             && let Some(&mask) = masks.last()
-            && self.problem.rests(agent)
         {
-            met.extend(self.met_at_rest(agent, end, arrival(walk), mask));
+            met.extend(self.met_after_end(agent, end, arrival(walk), mask));
         }
         met
     }

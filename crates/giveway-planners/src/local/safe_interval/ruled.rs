@@ -367,7 +367,7 @@ impl<'a, 'p> Among<'a, 'p> {
         }
         let (_, (_, to)) = self.safe.from(v, time)?;
         let due = self.due(mask);
-        if self.rests && (to < u32::MAX || due < u32::MAX) {
+        if self.rests && to < u32::MAX || due < u32::MAX {
             return None;
         }
         let resting = self.task.not_resting.iter().filter(|(u, _)| *u == v);
@@ -375,7 +375,7 @@ impl<'a, 'p> Among<'a, 'p> {
         let first = resting.fold(self.task.not_before, u32::max);
         let arrival = time.max(first);
         let waits = arrival > time;
-        let may_wait = arrival <= self.leaves_by(v, since) && arrival < due;
+        let may_wait = arrival <= self.leaves_by(v, since);
         let may_end = arrival <= self.query.latest
             && (!waits || may_wait && self.counters.entry.is_none())
             && self.counters.may_end(mask, v, (since, arrival));
