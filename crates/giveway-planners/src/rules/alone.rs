@@ -138,7 +138,10 @@ impl OwnRules<'_> {
     /// the last time.
     pub(super) fn ask_for_entry(&self, agent: AgentId, task: &mut Task) {
         let counters = &task.conditions.counters;
-        let stays_there = |counter: &Counter| matches!(counter, Counter::Stay(stay) if stay.steps > 0 && task.may_rest_at(stay.at));
+        let stays_there = |counter: &Counter| {
+            matches!(counter, Counter::Stay(stay) if task.may_rest_at(stay.at)
+                && (stay.steps > 0 || stay.times.first() > 0))
+        };
         let has_entry = |counter: &Counter| matches!(counter, Counter::Entry { .. });
         if !self.rests(agent) && counters.iter().any(stays_there) && !counters.iter().any(has_entry)
         {
