@@ -49,7 +49,9 @@ pub fn crowd_with_rules(seed: u64, number: u64, kinds: &[&str]) -> Value {
     let random = &mut numbers(seed, number);
     loop {
         let agents = random.random_range(3..=6);
-        let size = *[(5, 3), (4, 4), (6, 4), (5, 5), (8, 2)].choose(random).unwrap();
+        let size = *[(5, 3), (4, 4), (6, 4), (5, 5), (8, 2)]
+            .choose(random)
+            .unwrap();
         if let Some(mut scene) = scene(random, (agents, size, usize::MAX), kinds) {
             scene["name"] = json!(format!("crowd {seed}-{number}"));
             return scene;

@@ -48,8 +48,8 @@ impl Both<'_> {
         let budget = Unlimited::default();
         let by_intervals = self.table.plan(query, &budget).unwrap();
         let by_a_star = plan_one(self.problem, &self.reserved, query, &budget).unwrap();
-        let [a, b] = [&by_intervals, &by_a_star]
-            .map(|found| found.as_ref().map(|(walk, _)| arrival(walk)));
+        let [a, b] =
+            [&by_intervals, &by_a_star].map(|found| found.as_ref().map(|(walk, _)| arrival(walk)));
         let what = format!("agent {agent} by {latest}, {}", self.what);
         assert_eq!(a, b, "{what}: {by_intervals:?} {by_a_star:?}");
         let Some((walk, _)) = by_intervals else {
@@ -101,7 +101,11 @@ fn compare(scene: &Value, first: usize, seen: &mut Seen) {
     for agent in order {
         both.remove(agent);
         let again = both.plan(agent, latest(agent), seen);
-        assert!(again, "agent {agent} has no way again: {:?} {}", both.walks, both.what);
+        assert!(
+            again,
+            "agent {agent} has no way again: {:?} {}",
+            both.walks, both.what
+        );
     }
     let names: Vec<String> = instance
         .agents()
@@ -110,12 +114,7 @@ fn compare(scene: &Value, first: usize, seen: &mut Seen) {
         .collect();
     let plan = to_plan(&problem, &names, &both.walks);
     let report = check(&instance, &plan);
-    assert!(
-        report.is_valid(),
-        "{:?} {}",
-        report.violations,
-        both.what
-    );
+    assert!(report.is_valid(), "{:?} {}", report.violations, both.what);
     seen.plans += 1;
 }
 
@@ -143,8 +142,16 @@ fn two_or_three_rules_together_give_the_same_arrivals() {
         let kind = |step: usize| KINDS[(number as usize * 5 + step) / step % KINDS.len()];
         let kinds = [kind(1), kind(14), kind(3)];
         let kinds = &kinds[..2 + (number % 2) as usize];
-        compare(&crowd_with_rules(43, number, kinds), number as usize, &mut seen);
-        compare(&scene_with_rules(44, number, kinds), number as usize, &mut seen);
+        compare(
+            &crowd_with_rules(43, number, kinds),
+            number as usize,
+            &mut seen,
+        );
+        compare(
+            &scene_with_rules(44, number, kinds),
+            number as usize,
+            &mut seen,
+        );
     }
     assert_seen(&seen);
 }

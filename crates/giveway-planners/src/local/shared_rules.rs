@@ -72,16 +72,20 @@ impl<'p> SharedRules<'p> {
         for (rule, zone) in problem.between.rules.iter().zip(&mut self.zones) {
             let area = match &rule.kind {
                 SharedKind::Capacity { area, .. } if rule.binds(agent) => area,
-                SharedKind::Capacity { .. }
-                | SharedKind::Gap { .. }
-                | SharedKind::Apart { .. } => continue,
+                SharedKind::Capacity { .. } | SharedKind::Gap { .. } | SharedKind::Apart { .. } => {
+                    continue;
+                }
             };
             if zone.passing.len() < walk.len() {
                 zone.passing.resize(walk.len(), 0);
             }
             for (&place, count) in walk.iter().zip(&mut zone.passing) {
                 if touched(&problem.terrain, place).any(|v| area.has(v)) {
-                    *count = if adds { *count + 1 } else { count.saturating_sub(1) };
+                    *count = if adds {
+                        *count + 1
+                    } else {
+                        count.saturating_sub(1)
+                    };
                 }
             }
             let end = walk.last().filter(|_| problem.rests(agent));
@@ -186,7 +190,9 @@ impl<'p> SharedRules<'p> {
                 SharedKind::Gap { steps } => {
                     let times = time.saturating_sub(*steps)..=time.saturating_add(*steps);
                     met.extend(others.filter(|&other| {
-                        times.clone().any(|time| self.place(other, time) == Some(Place::At(v)))
+                        times
+                            .clone()
+                            .any(|time| self.place(other, time) == Some(Place::At(v)))
                     }));
                 }
                 SharedKind::Apart { distance, times } => {

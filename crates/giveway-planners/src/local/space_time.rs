@@ -181,9 +181,7 @@ impl<O: OtherAgents> SpaceTimeAStar<'_, O> {
         } else {
             0
         };
-        let by_rules = self
-            .others
-            .met_after_end(agent, v, state.time, state.mask);
+        let by_rules = self.others.met_after_end(agent, v, state.time, state.mask);
         let later = passing + by_rules.len() as u32;
         if later == 0 || self.query.conflict_penalty.is_some() {
             let (time, collisions) = (state.time, state.collisions + later);

@@ -3,9 +3,9 @@
 //! Between the spans are the safe intervals of Phillips and Likhachev, "SIPP: Safe interval path planning for
 //! dynamic environments" (2011).
 
-use std::collections::BTreeSet;
+mod rules;
 
-use giveway_model::condition::Times;
+use std::collections::BTreeSet;
 
 use super::{
     OtherAgents, Query,
@@ -57,6 +57,14 @@ impl<'p> Timetable<'p> {
         })
     }
 
+    /// Whether all agents are planned by safe intervals.
+    pub fn is_quick(problem: &Problem) -> bool {
+        let mut tasks = problem.tasks.iter();
+        tasks.all(|task| {
+            task.is_plain() || problem.is_constrained && is_told(task, &problem.terrain)
+        })
+    }
+
     /// Of all agents; `None` where that cannot be told, or two of them are at one
     /// vertex at the same time.
     pub fn of(problem: &'p Problem, walks: &[Walk]) -> Option<Self> {
@@ -85,6 +93,7 @@ impl<'p> Timetable<'p> {
     }
 
     /// The span of an agent that crosses from `v` to `u` in the step from a time; a slow arc takes two steps.
+    #[inline]
     pub(super) fn crosses(&self, time: u32, (v, u): (Vertex, Vertex), slow: bool) -> Option<Span> {
         let begun = self.begun(time, v);
         let spans = self.spans.get(v as usize)?;
@@ -96,53 +105,11 @@ impl<'p> Timetable<'p> {
     }
 
     /// Whether somebody comes the other way, if an agent leaves `u` at a time.
+    #[inline]
     pub(super) fn is_swap(&self, leaving: u32, u: Vertex, arc: Arc) -> bool {
         let opposite = (arc.to, u);
         let against = |time| self.crosses(time, opposite, arc.slow).is_some();
         against(leaving) || arc.slow && against(leaving + 1)
-    }
-
-    /// The spans of time for which agents are at a vertex, or in transit to or from it.
-    pub(super) fn touching(&self, v: Vertex, mut each: impl FnMut(AgentId, (u32, u32))) {
-        let arcs = self.problem.terrain.arcs(v);
-        let is_slow = |to: Vertex| arcs.iter().any(|arc| arc.slow && arc.to == to);
-        for span in self.spans.get(v as usize).into_iter().flatten() {
-            // In transit it is a step after it left.
-            let to = span.to.saturating_add(u32::from(is_slow(span.next)));
-            each(span.agent as AgentId, (span.from, to));
-        }
-        for arc in arcs.iter().filter(|arc| arc.slow) {
-            let spans = self.spans.get(arc.to as usize).into_iter().flatten();
-            for span in spans.filter(|span| span.next == v) {
-                each(span.agent as AgentId, (span.to + 1, span.to + 1));
-            }
-        }
-    }
-
-    /// The spans of time, among some times, at which so many agents are in the zone of a rule
-    /// between agents.
-    pub(super) fn full(&self, rule: usize, most: u32, times: Times) -> Vec<(u32, u32)> {
-        let shared = self.shared.as_ref();
-        shared.map_or_else(Vec::new, |shared| shared.full(rule, most, times))
-    }
-
-    /// When an agent must not be at a vertex, because another has not been at one before.
-    pub(super) fn before_first_visit(
-        &self,
-        agent: AgentId,
-        v: Vertex,
-    ) -> impl Iterator<Item = (u32, u32)> + '_ {
-        let shared = self.shared.iter();
-        shared.flat_map(move |shared| shared.before_first_visit(agent, v))
-    }
-
-    /// The vertices at which an agent has to be before others are somewhere, each with the time
-    /// at which they are.
-    pub(super) fn visits_due(&self, agent: AgentId) -> Vec<(Vertex, u32)> {
-        let shared = self.shared.iter();
-        shared
-            .flat_map(|shared| shared.visits_due(agent))
-            .collect()
     }
 
     /// The spans of a walk, each with its vertex.
@@ -278,9 +245,9 @@ impl OtherAgents for Timetable<'_> {
 
     fn plan(&mut self, query: Query, budget: &dyn Budget) -> Result<Option<(Walk, u32)>, Stop> {
         let problem = self.problem;
-        let is_plain = problem.tasks[query.agent].is_plain()
-            && !problem.has_rules_between_with(query.agent);
-        let is_ruled = !is_plain && problem.is_constrained && is_told(self, query);
+        let task = &problem.tasks[query.agent];
+        let is_plain = task.is_plain() && !problem.has_rules_between_with(query.agent);
+        let is_ruled = !is_plain && problem.is_constrained && is_told(task, &problem.terrain);
         if query.conflict_penalty.is_some() || !is_plain && !is_ruled {
             return super::plan_one(problem, self, query, budget);
         }

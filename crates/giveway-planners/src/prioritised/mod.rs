@@ -4,7 +4,8 @@
 //! complete nor best: whether it finds a plan depends on the order. In a *found*
 //! order an agent that gets stuck moves to the front and all is begun again;
 //! where that comes to an order seen before, orders are drawn by lot (always the
-//! same). Plain tasks are planned by safe intervals, batteries by space-time A*.
+//! same). Plain tasks, and most rules of a scene's own, are planned by safe intervals, batteries by
+//! space-time A*.
 
 mod furthest;
 #[cfg(test)]

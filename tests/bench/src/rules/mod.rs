@@ -104,8 +104,8 @@ fn read(command: &Command, file: &Path, agents: Option<usize>) -> Result<Scene, 
             command.output(&["convert", &file, "--agents", &agents, "--to", "giveway"])?
         }
     };
-    let instance = native::read_instance(&text)
-        .map_err(|faults| format!("{}: {faults:?}", file.display()))?;
+    let instance =
+        native::read_instance(&text).map_err(|faults| format!("{}: {faults:?}", file.display()))?;
     Ok(instance.to_scene())
 }
 

@@ -243,9 +243,9 @@ impl Roads<'_> {
         let mut lanes = Vec::new();
         let mut lane: Vec<Cell> = Vec::new();
         for &cell in line {
-            let goes_on = lane.last().is_some_and(|&last| {
-                self.grid.is_vertex(cell) && self.has_other_way((cell, last))
-            });
+            let goes_on = lane
+                .last()
+                .is_some_and(|&last| self.grid.is_vertex(cell) && self.has_other_way((cell, last)));
             if goes_on {
                 if let Some(&last) = lane.last() {
                     self.closed.insert((cell, last));
@@ -292,7 +292,9 @@ mod tests {
 
     #[test]
     fn lanes_leave_a_way_from_every_cell_to_every_cell() {
-        let grid = grid(&[".......", ".#.#.#.", ".......", ".#.#.#.", ".......", "...####"]);
+        let grid = grid(&[
+            ".......", ".#.#.#.", ".......", ".#.#.#.", ".......", "...####",
+        ]);
         let mut scene = Scene {
             map: grid.rows(),
             ..Scene::default()

@@ -111,9 +111,7 @@ impl<'a> Counters<'a> {
             return mask;
         }
         let made = self.each(mask, |counter, count| match counter {
-            Counter::Stay(stay)
-                if stay.at == v && stay.steps == 0 && stay.times.contains(time) =>
-            {
+            Counter::Stay(stay) if stay.at == v && stay.steps == 0 && stay.times.contains(time) => {
                 stay.done()
             }
             _ => count,

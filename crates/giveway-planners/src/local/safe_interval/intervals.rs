@@ -142,7 +142,7 @@ impl<'a, 'p> SafeIntervals<'a, 'p> {
 
     /// The first time from one on at which the agent may begin to cross a slow arc from a
     /// vertex, as far as zones and distances say.
-    pub(super) fn into_transit(&mut self, from: Vertex, arc: Arc, leaving: u32) -> Option<u32> {
+    pub(super) fn transit_begin(&mut self, from: Vertex, arc: Arc, leaving: u32) -> Option<u32> {
         let mut blocked = std::mem::take(&mut self.scratch);
         blocked.clear();
         self.add_touched(from, &mut blocked);

@@ -6,6 +6,7 @@
 //! end. [`plain`] is for agents that have only to reach their goals by way of
 //! waypoints; [`ruled`] also keeps to rules of a scene's own.
 
+mod among;
 mod counters;
 mod intervals;
 mod plain;
@@ -65,6 +66,7 @@ impl Sipp {
 
     /// The label to expand next, with its number; labels of one promise are taken last in, first
     /// out.
+    #[inline]
     fn pop(&mut self) -> Option<(u32, Label)> {
         while let Some(bucket) = self.buckets.get_mut(self.next) {
             let Some(id) = bucket.pop() else {
@@ -77,6 +79,7 @@ impl Sipp {
     }
 
     /// Whether an earlier label took the place of one.
+    #[inline]
     fn is_outdone(&self, label: &Label) -> bool {
         self.earliest(label.v, label.slot, label.mask) != Some(label.time)
     }

@@ -142,6 +142,7 @@ impl Sipp {
 
 impl Among<'_, '_> {
     /// The last time at which it can still be where a label is.
+    #[inline]
     fn leaves_by(&self, label: &Label) -> u32 {
         let spans = &self.table.spans[label.v as usize];
         let next = spans.get(label.slot as usize);
@@ -149,12 +150,14 @@ impl Among<'_, '_> {
     }
 
     /// Whether a label is an arrival for good.
+    #[inline]
     fn is_end(&self, label: &Label) -> bool {
         let stays = self.table.problem.rests(self.query.agent);
         self.task.is_end(label.v, label.mask) && (!stays || self.leaves_by(label) == u32::MAX)
     }
 
     /// The earliest arrival from a vertex, if that is early enough.
+    #[inline]
     fn bound(&self, v: Vertex, mask: Mask, time: u32) -> Option<u32> {
         let cost_to_go = &self.table.problem.cost_to_go[self.query.agent];
         let bound = (time + cost_to_go.from(v, mask, 0)?).max(self.earliest);

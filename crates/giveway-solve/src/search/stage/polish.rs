@@ -6,7 +6,7 @@ use super::Search;
 use crate::{
     budget::Stop,
     lns::{Effort, Lns},
-    single::Task,
+    local::Timetable,
     trace::FoundBy,
     walk::Walk,
 };
@@ -61,8 +61,11 @@ impl Search<'_, '_, '_> {
         if early || best <= bound {
             return Ok(());
         }
-        let plain = self.problem.tasks.iter().all(Task::is_plain);
-        let dear = if plain { 1 } else { DEARER };
+        let dear = if Timetable::is_quick(self.problem) {
+            1
+        } else {
+            DEARER
+        };
         let is_wide = best > bound.saturating_add(bound / 20);
         let turn = STATES_PER_AGENT * self.problem.agents() as u64 / dear;
         let polishing = &mut self.polishing;
