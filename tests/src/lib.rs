@@ -15,6 +15,7 @@ pub mod compare;
 pub mod environment;
 pub mod facts;
 pub mod forge;
+pub mod formula;
 pub mod freedom;
 pub mod going_on;
 pub mod known;

@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 use giveway_model::check::check;
 use giveway_model::question::holds;
 use giveway_model::{Cell, Cost, Instance, Objective, Plan, Question};
-use giveway_proof::plain::{Cnf, Lit, Name};
-use giveway_proof::{Budget, Claim, Outcome, plain, prove};
+use giveway_proof::{Budget, Claim, plain};
+use giveway_tests::formula::{allows, names_all};
 use giveway_tests::{oracle, random};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -22,39 +22,6 @@ use rand_chacha::ChaCha8Rng;
 
 /// Beyond the arrivals of all plans here.
 const LAST: u32 = 24;
-
-/// Whether a formula allows just this plan.
-fn allows(formula: &Cnf, instance: &Instance, plan: &Plan) -> bool {
-    let mut with = formula.clone();
-    for (variable, name) in (1..).zip(formula.names()) {
-        let lit = |holds: bool| -> Lit { if holds { variable } else { -variable } };
-        match *name {
-            Name::At(agent, cell, time) => {
-                with.clause([lit(place(instance, plan, agent, time) == Some(cell))]);
-            }
-            Name::Charge(agent, time) => {
-                let charges = plan.charges(&instance.agents()[agent].name);
-                with.clause([lit(charges.contains(&time))]);
-            }
-            _ => {}
-        }
-    }
-    match prove(&with, &Budget::default()) {
-        Outcome::Satisfiable => true,
-        Outcome::Proof(_) => false,
-        Outcome::Stopped => panic!("too large"),
-    }
-}
-
-/// Where an agent is at a time, if it is at a vertex.
-fn place(instance: &Instance, plan: &Plan, agent: usize, time: u32) -> Option<Cell> {
-    let path = plan.path(&instance.agents()[agent].name);
-    match path.get(time as usize) {
-        Some(place) => *place,
-        None if instance.stays() => path.last().copied().flatten(),
-        None => None,
-    }
-}
 
 /// Plans that are best for one cost or another.
 fn plans(instance: &Instance) -> Vec<Plan> {
@@ -170,21 +137,6 @@ fn a_plan_satisfies_the_formula_exactly_where_it_breaks_no_rule() {
     }
     println!("{valid} valid, {broken} broken");
     assert!(valid >= 80 && broken >= 60, "{valid} {broken}");
-}
-
-/// Whether every place and charge of a plan has a variable, and what is no
-/// place is half of a slow move.
-fn names_all(formula: &Cnf, instance: &Instance, plan: &Plan) -> bool {
-    instance.agents().iter().enumerate().all(|(i, agent)| {
-        let mut places = plan.path(&agent.name).iter().zip(0..);
-        let at = |time: u32, cell: Cell| formula.names().contains(&Name::At(i, cell, time));
-        let charges = plan.charges(&agent.name);
-        places.all(|(place, time)| place.is_none_or(|cell| at(time, cell)))
-            && charges
-                .iter()
-                .all(|&time| formula.names().contains(&Name::Charge(i, time)))
-            && plan.path(&agent.name).last() == Some(&agent.goal)
-    })
 }
 
 /// Whether an instance has what the number's kind of question is about.

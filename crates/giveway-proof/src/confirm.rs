@@ -9,7 +9,8 @@ use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
 use crate::bundle::{Entry, proof_files};
 use crate::conclude::{Whole, check_together, conclude};
 use crate::report::Fault;
-use crate::{Budget, Report, Solved, show::show};
+use crate::show::{objective, show};
+use crate::{Budget, Report, Solved};
 
 /// Proves everything that the solver claims within one budget, and checks it
 /// within another. Where the plan keeps the rules, the report is the one that
@@ -61,7 +62,7 @@ pub(crate) fn check_shown<'a>(
         check_claims(instance, entries, budget, claims, &|proof| {
             check_kept(proofs(proof.name), instance, proof, budget)
         })?;
-        Ok(conclude(instance.objective(), costs, entries))
+        Ok(conclude(&objective(instance), costs, entries))
     })
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cost, Instance, Plan, check};
+use giveway_model::{Cost, Instance, Objective, Plan, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
@@ -33,6 +33,11 @@ pub struct Solved<'a> {
     pub plan: Option<&'a Plan>,
 }
 
+/// The objective of an instance, with the penalty where rules of the scene's own make one.
+pub(crate) fn objective(instance: &Instance) -> Objective {
+    instance.in_force(instance.objective().clone())
+}
+
 /// The claims to certify, each with a name for its files.
 fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
     if solved.impossible {
@@ -43,7 +48,7 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
         .and_then(|plan| check::costs(solved.instance, plan));
     let mut claims = Vec::new();
     let mut most = solved.about.most.clone();
-    for &cost in solved.instance.objective().costs() {
+    for &cost in objective(solved.instance).costs() {
         let Some(&bound) = solved.bounds.get(&cost) else {
             break;
         };
@@ -170,7 +175,8 @@ impl Showing<'_> {
     }
 
     /// The makespan up to which claims are made by default: the largest optimum
-    /// of an agent alone + 4 (width + height) + 10.
+    /// of an agent alone + 4 (width + height) + 10, and the last time that a rule of the
+    /// scene's own names.
     fn default_horizon(&self) -> Option<u32> {
         let instance = self.solved.instance;
         let mut longest = 0;
@@ -183,7 +189,11 @@ impl Showing<'_> {
             }
         }
         let grid = instance.grid();
-        let default = longest.saturating_add(4 * (grid.width() + grid.height()) + 10);
+        let named = instance.constraints_in_force();
+        let named = named.map(|rule| rule.constraint.last_time()).max();
+        let default = longest
+            .saturating_add(4 * (grid.width() + grid.height()) + 10)
+            .saturating_add(named.unwrap_or(0));
         // The plan at hand is never beyond it.
         let plan = self
             .solved

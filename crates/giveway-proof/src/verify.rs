@@ -6,6 +6,7 @@ use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
 use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::conclude::{Conclusion, Whole, check_together, conclude};
 use crate::report::Fault;
+use crate::show::objective;
 use crate::{Budget, Checked, Report};
 
 /// Checks a certificate: that its files belong together, that each formula is
@@ -41,7 +42,7 @@ fn check_all(
     check_claims(&instance, &manifest.claims, budget, claims, &|proof| {
         check_files_of(bundle, &instance, proof, budget)
     })?;
-    if manifest.objective != *instance.objective() {
+    if manifest.objective != objective(&instance) {
         return Err(Fault::of(
             MANIFEST,
             "its objective is not that of the instance",

@@ -90,8 +90,9 @@ impl CertifyRequest {
         let costs = shown.and_then(|plan| check::costs(instance, plan));
         let known = costs.filter(|_| answer.verdict != Verdict::Unknown);
         let bounds = known.map_or(BTreeMap::new(), |costs| {
-            let objective = instance.objective().costs().iter();
-            sorting::map(objective.map(|&cost| (cost, costs.get(cost))))
+            let objective = instance.in_force(instance.objective().clone());
+            let each = objective.costs().iter();
+            sorting::map(each.map(|&cost| (cost, costs.get(cost))))
         });
         Self {
             scene: instance.to_scene(),
@@ -114,7 +115,6 @@ impl CertifyRequest {
     /// What is wrong with the scene.
     pub(crate) fn instance(&self) -> Result<Instance, Refusal> {
         crate::assumed::refuse_moving(&self.scene)?;
-        crate::assumed::refuse_constrained(&self.scene)?;
         let instance = Instance::new(self.scene.clone());
         let instance = instance.map_err(|faults| Refusal::Scene { faults })?;
         Ok(match &self.objective {

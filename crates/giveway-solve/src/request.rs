@@ -73,19 +73,18 @@ impl Request {
     /// The scene of a request that does not heed rules of the scene's own.
     pub(crate) const fn unconstrained_scene(&self) -> Option<&Scene> {
         match self {
-            // What is exported was certified.
             Self::Solve(_)
             | Self::Audit(_)
             | Self::Plan(_)
             | Self::Freedom(_)
             | Self::Together(_)
             | Self::Price(_)
+            | Self::Certify(_)
             | Self::Export(_) => None,
             // Where the world changes, it looks at the rules itself.
             Self::Explain(_) => None,
             Self::Check(request) if request.changes.is_none() => None,
             Self::Check(request) => Some(&request.scene),
-            Self::Certify(request) => Some(&request.scene),
             Self::Change(request) => Some(&request.scene),
         }
     }

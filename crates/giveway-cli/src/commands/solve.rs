@@ -25,13 +25,6 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
     }
     let mut said = Said::default();
     let instance = input::instance(&args.source, None, common, &mut said)?;
-    if args.proof.is_some() && instance.is_constrained() {
-        return Err(Failure::Usage(
-            "found --proof for a scene with a rule of its own in force, expected rules that are off: \
-             certificates do not heed them"
-                .to_owned(),
-        ));
-    }
     let objective = args
         .objective
         .as_ref()

@@ -6,7 +6,8 @@ use giveway_model::{check, format::native};
 
 use super::{Bundle, Entry, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::confirm::check_shown;
-use crate::{Budget, Report, Solved, show::show};
+use crate::show::{objective, show};
+use crate::{Budget, Report, Solved};
 
 /// Makes a certificate of everything that the solver claims. What cannot be
 /// certified within the budget is part of it, too, and said not to be.
@@ -54,7 +55,7 @@ fn written(solved: &Solved<'_>, entries: Vec<Entry>, proofs: Bundle) -> Bundle {
     }
     let mut manifest = Manifest {
         version: 1,
-        objective: instance.objective().clone(),
+        objective: objective(instance),
         costs: plan.and_then(|plan| check::costs(instance, plan)),
         claims: entries,
         files: BTreeMap::new(),

@@ -155,7 +155,7 @@ impl Manifest {
         }
         for entry in &self.claims {
             if let Entry::Proof { name, .. } = entry {
-                let mut costs = Cost::USUAL.iter().map(|cost| cost.name());
+                let mut costs = Cost::ALL.iter().map(|cost| cost.name());
                 if name != NO_PLAN && !costs.any(|cost| cost == name) {
                     return None;
                 }

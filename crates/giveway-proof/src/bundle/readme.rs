@@ -28,12 +28,15 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
         count(instance.agents().len(), "robot"),
         objective.join(", then "),
     );
+    text.push_str(&rules(instance));
     text.push_str("\n## What is claimed\n\n");
     if let Some(costs) = &manifest.costs {
+        let is_listed =
+            |cost: &&Cost| Cost::USUAL.contains(cost) || manifest.objective.costs().contains(cost);
         let _ = writeln!(
             text,
             "- **There is a plan** that keeps every rule: `plan.json`. Its costs: {}.",
-            values(&Cost::USUAL, costs)
+            values(Cost::ALL.iter().filter(is_listed), costs)
         );
     }
     for entry in &manifest.claims {
@@ -88,6 +91,32 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     text.push_str(HOW);
     text
 }
+
+/// The rules of the scene's own, a line each.
+fn rules(instance: &Instance) -> String {
+    let mut text = String::new();
+    for rule in instance.constraints_in_force() {
+        if text.is_empty() {
+            text.push_str(RULES);
+        }
+        let sentence = escape::markdown(&rule.constraint.sentence());
+        let _ = write!(text, "- Rule {}: {sentence}.", rule.index);
+        if let Some(name) = &rule.constraint.name {
+            let name = escape::text(name).replace('`', "'");
+            let _ = write!(text, " It is called `{name}`.");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+const RULES: &str = "
+## Rules of the scene's own
+
+Every plan has to keep these as well; where one names a cost, the penalty of a plan counts it. Rules
+have their numbers in the list of `instance.json`, from 0; one that is off is not listed.
+
+";
 
 /// Why a formula up to some makespan is enough.
 fn horizon(entry: &Entry, instance: &Instance) -> String {

@@ -70,6 +70,16 @@ impl<'a> Lone<'a> {
         }
     }
 
+    /// The cells that count for a zone or a distance: in transit both ends of the edge.
+    pub(super) fn touches(state: State) -> impl Iterator<Item = Cell> {
+        let cells = match state.place {
+            Place::At(cell) | Place::Arrived(cell) => [Some(cell), None],
+            Place::Half(u, v) => [Some(u), Some(v)],
+            Place::Gone => [None, None],
+        };
+        cells.into_iter().flatten()
+    }
+
     /// The states at time 0, as steps from nowhere.
     pub(super) fn begin(&self) -> Vec<Step> {
         let level = self.agent.battery.map_or(0, |battery| battery.initial);

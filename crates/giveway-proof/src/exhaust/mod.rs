@@ -2,8 +2,10 @@
 //!
 //! There are finitely many states, so that what no search reaches is reached at
 //! no horizon. The rules are written down here once more, as steps from state to
-//! state, and shared with nothing else.
+//! state, and shared with nothing else. Rules of the scene's own are watched
+//! ([`constraints`]), as the condition of a claim is ([`watch`]).
 
+mod constraints;
 mod lone;
 mod meet;
 mod watch;
@@ -13,6 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::{Cost, Instance};
 
 use crate::{Budget, Claim};
+use constraints::{Past, Rules};
 use lone::{Lone, State, Step};
 use watch::{Memory, Watch};
 
@@ -117,8 +120,8 @@ pub fn alone_at_least(
     Some(total >= bound)
 }
 
-/// How much of the five costs something takes, in the order of [`Cost::USUAL`].
-type Spent = [u32; 5];
+/// How much of the costs something takes, in the order of [`Cost::ALL`].
+type Spent = [u32; Cost::ALL.len()];
 
 /// A search by growing cost.
 struct Search<'a> {
@@ -140,6 +143,8 @@ struct Joint {
     spent: Vec<u32>,
     /// The memory of the condition.
     memory: Memory,
+    /// The past that the rules of the scene's own ask for.
+    past: Past,
 }
 
 impl Search<'_> {
@@ -154,6 +159,7 @@ impl Search<'_> {
         if lones.len() < agents.len() {
             return Exhausted::Stopped; // more waypoints than a state can hold
         }
+        let rules = Rules::of(instance, agents);
         let mut open: BTreeMap<u32, Vec<Joint>> = BTreeMap::new();
         let begins: Vec<Vec<Step>> = lones.iter().map(Lone::begin).collect();
         for steps in meet::joint_steps(&begins) {
@@ -161,11 +167,14 @@ impl Search<'_> {
                 None => Some(Memory::default()),
                 Some(watch) => watch.begin(&lones, &steps),
             };
-            let Some(memory) = memory else { continue };
+            let (Some(memory), Some(past)) = (memory, rules.begin(&steps)) else {
+                continue;
+            };
             let begin = Joint {
                 states: steps.iter().map(|step| step.to).collect(),
                 spent: vec![0; self.limits.len()],
                 memory,
+                past,
             };
             open.entry(0).or_default().push(begin);
         }
@@ -179,6 +188,7 @@ impl Search<'_> {
             let met = |watch: &Watch<'_>| watch.is_met(joint.memory);
             if joint.states.iter().all(|state| state.has_arrived())
                 && self.watch.as_ref().is_none_or(met)
+                && rules.are_kept(&joint.past)
             {
                 return Exhausted::Plan(spent);
             }
@@ -190,7 +200,7 @@ impl Search<'_> {
             {
                 return Exhausted::Stopped;
             }
-            for (next, more) in self.next(&lones, &joint) {
+            for (next, more) in self.next(&lones, &rules, &joint) {
                 let spent = spent.saturating_add(more);
                 if spent <= self.limit {
                     open.entry(spent).or_default().push(next);
@@ -202,7 +212,7 @@ impl Search<'_> {
 
     /// All that can come next within the limits, and what it takes of the cost
     /// that is aimed at.
-    fn next(&self, lones: &[Lone<'_>], joint: &Joint) -> Vec<(Joint, u32)> {
+    fn next(&self, lones: &[Lone<'_>], rules: &Rules<'_>, joint: &Joint) -> Vec<(Joint, u32)> {
         let steps = lones.iter().zip(&joint.states);
         let steps: Vec<Vec<Step>> = steps.map(|(lone, state)| lone.steps(*state)).collect();
         let mut next = Vec::new();
@@ -211,14 +221,17 @@ impl Search<'_> {
                 None => Some(Memory::default()),
                 Some(watch) => watch.step(lones, &joint.states, &chosen, joint.memory),
             };
-            let Some(memory) = memory else { continue };
+            let stepped = rules.step(&joint.states, &chosen, &joint.past);
+            let (Some(memory), Some((past, penalty))) = (memory, stepped) else {
+                continue;
+            };
             let mut taken = Spent::default();
-            for (sum, cost) in taken.iter_mut().zip(Cost::USUAL) {
+            for (sum, cost) in taken.iter_mut().zip(Cost::ALL) {
                 let each = chosen.iter().map(|step| step.spent[cost as usize]);
-                *sum = if cost == Cost::Makespan {
-                    each.max().unwrap_or(0)
-                } else {
-                    each.sum()
+                *sum = match cost {
+                    Cost::Makespan => each.max().unwrap_or(0),
+                    Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits => each.sum(),
+                    Cost::Penalty => penalty,
                 };
             }
             let spent = self.limits.iter().zip(&joint.spent);
@@ -237,6 +250,7 @@ impl Search<'_> {
                         states,
                         spent,
                         memory,
+                        past,
                     },
                     more,
                 ));

@@ -3,6 +3,7 @@
 mod asked;
 mod costs;
 mod rules;
+mod zones;
 
 use std::collections::BTreeMap;
 
@@ -10,6 +11,8 @@ use giveway_model::{Agent, Cell, sorting};
 
 use super::distance::Distances;
 use super::{Cnf, Lit, Name, World};
+
+pub(super) use zones::Moment;
 
 /// The variables of one agent.
 pub(super) struct Walker<'a> {

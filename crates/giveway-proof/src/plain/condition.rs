@@ -4,7 +4,7 @@ use giveway_model::condition::{Act, Times};
 use giveway_model::{Cell, Condition, Cost, Instance};
 
 use super::agent::Walker;
-use super::{Cnf, Lit, Name, NoFormula, count};
+use super::{Cnf, Lit, Name, NoFormula, constraints, count};
 
 /// Says that the condition holds.
 pub(super) fn require(
@@ -63,11 +63,19 @@ pub(super) fn require(
                 Cost::Makespan | Cost::SumOfCosts => {
                     cnf.clause(most.and_then(|time| walker.done_by(time)));
                 }
-                Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => match most {
+                Cost::Charges | Cost::Moves | Cost::Waits => match most {
                     None => cnf.clause([]),
                     Some(most) => {
                         let counted = walker.counted(cnf, *cost);
-                        count::at_most(cnf, *cost, &[counted], false, most as usize, limit);
+                        let name = |n| Name::AtLeast(*cost, n);
+                        count::at_most(cnf, &name, &[counted], false, most as usize, limit);
+                    }
+                },
+                Cost::Penalty => match most {
+                    None => cnf.clause([]),
+                    Some(most) => {
+                        let paid = constraints::penalties(cnf, instance, walker);
+                        constraints::limit(cnf, &paid, most, limit);
                     }
                 },
             }

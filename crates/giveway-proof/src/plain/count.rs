@@ -1,9 +1,15 @@
 //! Limits on how many of some literals hold: the totalizer (Bailleux and
-//! Boufkhad 2003).
+//! Boufkhad 2003); and on what they weigh together: the generalized totalizer (Joshi,
+//! Martins and Manquinho 2015).
 
-use giveway_model::Cost;
+use std::collections::BTreeMap;
+
+use giveway_model::sorting;
 
 use super::{Cnf, Lit, Name};
+
+/// Names the variable that at least so many hold, or weigh so much.
+pub(super) type Counts<'a> = &'a dyn Fn(u32) -> Name;
 
 /// At most `most` of all literals hold.
 ///
@@ -12,7 +18,7 @@ use super::{Cnf, Lit, Name};
 /// are more than `limit`: the caller looks.
 pub(super) fn at_most(
     cnf: &mut Cnf,
-    cost: Cost,
+    name: Counts<'_>,
     groups: &[Vec<Lit>],
     sorted: bool,
     most: usize,
@@ -30,7 +36,7 @@ pub(super) fn at_most(
                 return;
             }
             merged.push(match pair {
-                [a, b] => merge(cnf, cost, a, b, most + 1),
+                [a, b] => merge(cnf, name, a, b, most + 1),
                 rest => rest.concat(),
             });
         }
@@ -43,11 +49,9 @@ pub(super) fn at_most(
 
 /// The sum of two counts, as far as it matters: the i-th literal (from 1) holds
 /// where at least i do. A count may say more than is so, never less.
-fn merge(cnf: &mut Cnf, cost: Cost, a: &[Lit], b: &[Lit], most: usize) -> Vec<Lit> {
+fn merge(cnf: &mut Cnf, name: Counts<'_>, a: &[Lit], b: &[Lit], most: usize) -> Vec<Lit> {
     let size = (a.len() + b.len()).min(most);
-    let sum: Vec<Lit> = (1..=size)
-        .map(|n| cnf.variable(Name::AtLeast(cost, n as u32)))
-        .collect();
+    let sum: Vec<Lit> = (1..=size).map(|n| cnf.variable(name(n as u32))).collect();
     for i in 0..=a.len() {
         for j in 0..=b.len() {
             let Some(&enough) = (i + j).checked_sub(1).and_then(|n| sum.get(n)) else {
@@ -60,4 +64,126 @@ fn merge(cnf: &mut Cnf, cost: Cost, a: &[Lit], b: &[Lit], most: usize) -> Vec<Li
         }
     }
     sum
+}
+
+/// Literals by what they weigh: where some of what is weighed holds, the literal of its
+/// whole weight does, and none of a higher weight has to.
+pub(super) type Weights = BTreeMap<u32, Lit>;
+
+/// What holds of all groups weighs at most `most`. Ends early, with too few clauses, where
+/// there are more than `limit`: the caller looks.
+pub(super) fn weigh_at_most(
+    cnf: &mut Cnf,
+    name: Counts<'_>,
+    groups: &[Weights],
+    most: u32,
+    limit: usize,
+) {
+    // More than the largest number nothing weighs.
+    let Some(too_much) = most.checked_add(1) else {
+        return;
+    };
+    let mut sums: Vec<Weights> = Vec::new();
+    for group in groups {
+        let mut sum = Weights::new();
+        for (&weight, &lit) in group {
+            sum.entry(weight.min(too_much)).or_insert(lit);
+        }
+        sums.push(sum);
+    }
+    while sums.len() > 1 {
+        let mut added = Vec::new();
+        for pair in sums.chunks(2) {
+            if cnf.clauses() > limit {
+                return;
+            }
+            added.push(match pair {
+                [a, b] => add(cnf, name, a, b, too_much),
+                rest => rest.first().cloned().unwrap_or_default(),
+            });
+        }
+        sums = added;
+    }
+    if let Some(&lit) = sums.first().and_then(|sum| sum.get(&too_much)) {
+        cnf.clause([-lit]);
+    }
+}
+
+/// The sum of two weights; all that is too much is one.
+fn add(cnf: &mut Cnf, name: Counts<'_>, a: &Weights, b: &Weights, too_much: u32) -> Weights {
+    let with_nothing = |weights: &Weights| -> Vec<(u32, Option<Lit>)> {
+        let each = weights.iter().map(|(&weight, &lit)| (weight, Some(lit)));
+        [(0, None)].into_iter().chain(each).collect()
+    };
+    let (a, b) = (with_nothing(a), with_nothing(b));
+    let total = |i: u32, j: u32| i.saturating_add(j).min(too_much);
+    let totals = a
+        .iter()
+        .flat_map(|&(i, _)| b.iter().map(move |&(j, _)| total(i, j)));
+    let totals = sorting::set(totals.filter(|&total| total > 0));
+    let sum: Weights = sorting::map(
+        totals
+            .into_iter()
+            .map(|total| (total, cnf.variable(name(total)))),
+    );
+    for &(i, given) in &a {
+        for &(j, other) in &b {
+            if let Some(&enough) = sum.get(&total(i, j)) {
+                let given: Vec<Lit> = given.into_iter().chain(other).collect();
+                cnf.implies(&given, [enough]);
+            }
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_model::Cost;
+
+    use super::*;
+
+    /// Whether just these of some weighed literals may hold.
+    fn allows(weights: &[u32], chosen: u32, most: u32) -> bool {
+        let mut cnf = Cnf::default();
+        let lits: Vec<Lit> = weights.iter().map(|_| cnf.variable(Name::Group)).collect();
+        let groups: Vec<Weights> = weights
+            .iter()
+            .zip(&lits)
+            .map(|(&w, &lit)| Weights::from([(w, lit)]))
+            .collect();
+        let name = |n| Name::AtLeast(Cost::Penalty, n);
+        weigh_at_most(&mut cnf, &name, &groups, most, usize::MAX);
+        for (i, lit) in lits.iter().enumerate() {
+            cnf.clause([if chosen >> i & 1 == 1 { *lit } else { -lit }]);
+        }
+        // The chosen literals decide all others by propagation, or contradict.
+        crate::drat::check(&cnf.text(), "", &|| true).is_err()
+    }
+
+    #[test]
+    fn what_weighs_too_much_is_excluded_and_nothing_else() {
+        for weights in [
+            vec![],
+            vec![3],
+            vec![2, 3, 3],
+            vec![1, 5, 2, 7, 4],
+            vec![1_000_000, 1, 2],
+        ] {
+            for chosen in 0..1 << weights.len() {
+                let held = weights
+                    .iter()
+                    .enumerate()
+                    .filter(|(i, _)| chosen >> i & 1 == 1);
+                let weight: u32 = held.map(|(_, weight)| weight).sum();
+                for most in [0, 1, 2, 4, 6, 9, 18, 1_000_001, u32::MAX] {
+                    assert_eq!(
+                        allows(&weights, chosen, most),
+                        weight <= most,
+                        "{weights:?} {chosen:b} {most}"
+                    );
+                }
+            }
+        }
+    }
 }

@@ -8,6 +8,7 @@
 mod agent;
 mod cnf;
 mod condition;
+mod constraints;
 mod count;
 mod distance;
 mod meet;
@@ -74,9 +75,20 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
     meet::vertices(&mut cnf, instance, last, &walkers);
     meet::edges(&mut cnf, instance, last, &walkers);
     check(&cnf, budget)?;
+    constraints::require(&mut cnf, instance, &walkers, budget)?;
     for (&cost, &most) in &claim.most {
         if cost == Cost::Makespan {
             continue; // the horizon is this limit
+        }
+        if cost == Cost::Penalty {
+            let mut paid = Vec::new();
+            for walker in &walkers {
+                paid.extend(constraints::penalties(&mut cnf, instance, walker));
+                check(&cnf, budget)?;
+            }
+            constraints::limit(&mut cnf, &paid, most, budget.clauses);
+            check(&cnf, budget)?;
+            continue;
         }
         let counted: Vec<Vec<Lit>> = walkers
             .iter()
@@ -86,7 +98,7 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
         let sorted = cost == Cost::SumOfCosts;
         count::at_most(
             &mut cnf,
-            cost,
+            &|n| Name::AtLeast(cost, n),
             &counted,
             sorted,
             most as usize,

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use giveway_model::constraint::Heading;
 use giveway_model::{Cell, Cost, Instance};
 
 /// The name of a variable; agents by their place in the file.
@@ -31,6 +32,23 @@ pub enum Name {
     /// The agent that would be first has been at the cell of the question, at
     /// the time or before.
     Been(u32),
+    /// By a rule, given by its number in the scene: the agent is in the zone at the time.
+    Inside(usize, usize, u32),
+    /// At least so many of the rule's agents are in its zone at the time.
+    Crowd(usize, u32, u32),
+    /// The agent is at the cell at the time, or was in the steps before that the rule names.
+    Recent(usize, usize, Cell, u32),
+    /// The agent has been at the first so many cells of the rule, in order, at the time or
+    /// before.
+    Reached(usize, usize, u32, u32),
+    /// The agent begins the stay of the rule at the time.
+    Stays(usize, usize, u32),
+    /// The first agent of the rule has been at its cell, at the time or before.
+    First(usize, u32),
+    /// The agent faces the direction at the time.
+    Facing(usize, usize, Heading, u32),
+    /// The agent pays at the time.
+    Pays(usize, usize, u32),
     /// An aid to say that at most one of some holds.
     Group,
     /// Both true and false: a rule that cannot be kept.
@@ -57,6 +75,19 @@ const HEAD: &str = "\
 # Cells are [x,y] from 0 at the top left, times are steps from 0.
 ";
 
+/// Says the same of the lines about rules of the scene's own, where it has some.
+const RULES: &str = "\
+# Of the rules of the scene's own, each by its number RULE in the list of the instance, from 0:
+#   inside RULE AGENT TIME           the robot is in the zone at the time
+#   crowd RULE N TIME                at least N robots are in the zone at the time
+#   recent RULE AGENT [X,Y] TIME     the robot is at the cell at the time, or was a few steps before
+#   reached RULE AGENT N TIME        it has been at the first N cells in order, at the time or before
+#   stays RULE AGENT TIME            it begins its stay at the time
+#   first RULE TIME                  who comes first has been at its cell, at the time or before
+#   facing RULE AGENT SIDE TIME      the robot faces the side at the time
+#   pays RULE AGENT TIME             it pays for the time
+";
+
 /// The list of names, a line a variable.
 pub(super) fn text(names: &[Name], instance: &Instance) -> String {
     let agents: Vec<String> = instance
@@ -67,6 +98,9 @@ pub(super) fn text(names: &[Name], instance: &Instance) -> String {
     let agent = |index: usize| agents.get(index).map_or("?", String::as_str);
     let cell = |cell: Cell| format!("[{},{}]", cell.x, cell.y);
     let mut text = HEAD.to_owned();
+    if instance.is_constrained() {
+        text.push_str(RULES);
+    }
     for (variable, name) in (1..).zip(names) {
         let meaning = match *name {
             Name::At(a, v, t) => format!("at {} {} {t}", agent(a), cell(v)),
@@ -82,10 +116,29 @@ pub(super) fn text(names: &[Name], instance: &Instance) -> String {
             Name::AtLeast(cost, n) => format!("at-least {n} {cost}"),
             Name::Happens(t) => format!("happens {t}"),
             Name::Been(t) => format!("been {t}"),
+            Name::Inside(rule, a, t) => format!("inside {rule} {} {t}", agent(a)),
+            Name::Crowd(rule, n, t) => format!("crowd {rule} {n} {t}"),
+            Name::Recent(rule, a, v, t) => format!("recent {rule} {} {} {t}", agent(a), cell(v)),
+            Name::Reached(rule, a, n, t) => format!("reached {rule} {} {n} {t}", agent(a)),
+            Name::Stays(rule, a, t) => format!("stays {rule} {} {t}", agent(a)),
+            Name::First(rule, t) => format!("first {rule} {t}"),
+            Name::Facing(rule, a, heading, t) => {
+                format!("facing {rule} {} {} {t}", agent(a), side(heading))
+            }
+            Name::Pays(rule, a, t) => format!("pays {rule} {} {t}", agent(a)),
             Name::Group => "group".to_owned(),
             Name::Never => "never".to_owned(),
         };
         let _ = writeln!(text, "{variable} {meaning}");
     }
     text
+}
+
+const fn side(heading: Heading) -> &'static str {
+    match heading {
+        Heading::North => "north",
+        Heading::East => "east",
+        Heading::South => "south",
+        Heading::West => "west",
+    }
 }

@@ -12,7 +12,7 @@ impl Walker<'_> {
             Cost::Charges => self.charges(),
             Cost::Moves => self.moves(cnf),
             Cost::Waits => self.waits(cnf),
-            // Only rules of a scene's own make one, and claims under these are refused.
+            // It has weights (`constraints/penalty.rs`).
             Cost::Penalty => Vec::new(),
         }
     }
