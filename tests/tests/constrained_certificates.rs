@@ -22,7 +22,9 @@ use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Plan};
 use giveway_proof::exhaust::{Exhausted, exhaust};
 use giveway_proof::{Budget, Certified, Claim, Conclusion, Outcome, export, plain, prove, verify};
-use giveway_solve::{CertifyRequest, Limits, Request, Response, SilentHost, SolveRequest, serve};
+use giveway_solve::{
+    CertifyRequest, Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve,
+};
 use giveway_tests::environment;
 use giveway_tests::formula::{allows, names_all};
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
@@ -129,7 +131,7 @@ fn a_formula_is_satisfiable_exactly_where_the_oracle_has_a_plan() {
     assert!(plans > 100 && none > 50 && limits > 150);
 }
 
-fn solved(instance: &Instance) -> Option<Plan> {
+fn solved(instance: &Instance) -> SolveAnswer {
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
         within: Some(LAST),
@@ -142,7 +144,53 @@ fn solved(instance: &Instance) -> Option<Plan> {
     let Response::Solved(answer) = serve(&request, &SilentHost) else {
         unreachable!("a solve request is solved")
     };
-    answer.plan
+    answer
+}
+
+/// The oracle knows no robots that may rest anywhere: here the solver says what is best.
+#[test]
+fn a_formula_agrees_with_the_solver_on_robots_without_goals() {
+    let (mut plans, mut none, mut limits) = (0, 0, 0);
+    for number in 0..scenes(168) {
+        let mut scene = scene_with_rules(65, number, &kinds(number));
+        let agents = scene["agents"].as_array_mut().unwrap();
+        for agent in agents.iter_mut().skip(number as usize % 2) {
+            agent.as_object_mut().unwrap().remove("goal");
+        }
+        let instance = native::read_instance(&scene.to_string()).unwrap();
+        let claim = |most| Claim {
+            most,
+            ..Claim::default().within(Some(LAST))
+        };
+        let answer = solved(&instance);
+        let status = answer.status;
+        if status == Status::Impossible {
+            none += 1;
+            let any = claim(BTreeMap::new());
+            assert!(!is_satisfiable(&instance, &any), "{number}: {scene}");
+        }
+        if let Some(costs) = answer.costs.filter(|_| status == Status::Optimal) {
+            plans += 1;
+            let objective = instance.in_force(instance.objective().clone());
+            let vector: Vec<i64> = costs
+                .vector(&objective)
+                .into_iter()
+                .map(i64::from)
+                .collect();
+            let optima = Optima::of(&instance, &vector);
+            let met = claim(optima.met());
+            assert!(is_satisfiable(&instance, &met), "{number}: {scene}");
+            for less in optima.less() {
+                limits += 1;
+                assert!(
+                    !is_satisfiable(&instance, &claim(less.clone())),
+                    "{number}: {less:?} of {vector:?} {scene}"
+                );
+            }
+        }
+    }
+    println!("{plans} with plans, {none} without, {limits} limits");
+    assert!(plans > 80 && none > 10 && limits > 80);
 }
 
 /// Plans that were made without rules, and with them, and those that begin later.
@@ -156,7 +204,8 @@ fn a_plan_satisfies_the_formula_exactly_where_it_keeps_the_rules() {
             rule["off"] = Value::Bool(true);
         }
         let free = native::read_instance(&scene.to_string()).unwrap();
-        let mut plans: Vec<Plan> = solved(&free).into_iter().chain(solved(&instance)).collect();
+        let answers = [solved(&free), solved(&instance)];
+        let mut plans: Vec<Plan> = answers.into_iter().filter_map(|it| it.plan).collect();
         plans.extend(plans.clone().iter().map(|plan| later(&instance, plan)));
         let claim = Claim::default().within(Some(LAST));
         let formula = plain::formula(&instance, &claim, &Budget::default()).unwrap();

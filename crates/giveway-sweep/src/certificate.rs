@@ -106,13 +106,17 @@ mod tests {
                    { "name": "b", "start": [3, 0], "goal": [0, 0] }] }"##;
 
     fn row(certificates: &str, objective: &str) -> Row {
+        row_of(SCENE, certificates, objective)
+    }
+
+    fn row_of(scene: &str, certificates: &str, objective: &str) -> Row {
         let spec = format!(
             "objectives = [\"{objective}\"]\n{certificates}\n[[instances]]\nfiles = [\"a.json\"]"
         );
         let spec = Spec::read(&spec).unwrap();
         let files = |file: &str| Ok(vec![file.to_owned()]);
         let tasks = spec.tasks(&files, &|_| Ok(2)).unwrap();
-        run(&tasks[0], &read_instance(SCENE).unwrap(), None, &SilentHost)
+        run(&tasks[0], &read_instance(scene).unwrap(), None, &SilentHost)
     }
 
     #[test]
@@ -127,6 +131,21 @@ mod tests {
         assert_eq!(row("[certificates]", "sum-of-costs"), first);
         let other = row("[certificates]", "makespan").certificate.unwrap();
         assert_ne!(other.manifest, certificate.manifest);
+    }
+
+    #[test]
+    fn a_scene_with_rules_of_its_own_has_one_about_these() {
+        let rules = r#""zones": [{ "name": "pocket", "cells": [[1, 1]] }],
+            "constraints": [{ "kind": "avoid", "zone": "pocket", "weight": 7 }], "agents""#;
+        let scene = SCENE.replacen("\"agents\"", rules, 1);
+        let row = row_of(&scene, "[certificates]", "sum-of-costs");
+        assert_eq!(row.costs.unwrap().penalty, 7);
+        let certificate = row.certificate.unwrap();
+        assert_eq!(certificate.certified, Certified::Proved, "{certificate:?}");
+        let free = self::row("[certificates]", "sum-of-costs")
+            .certificate
+            .unwrap();
+        assert_ne!(certificate.manifest, free.manifest);
     }
 
     #[test]

@@ -67,6 +67,56 @@ fn that_there_is_no_plan_rests_on_search_and_on_a_proof_up_to_a_makespan() {
     .assert_eq(&verified(&folder, "certificate"));
 }
 
+/// Two robots in a corridor with a bay: one at a time in it, and no step of it free.
+const RULED: &str = r##"{ "giveway": 1, "map": ["#..", "..."], "objective": ["makespan"],
+    "zones": [{ "name": "bay", "rect": [1, 0, 2, 0] }],
+    "constraints": [
+        { "kind": "capacity", "zone": "bay", "most": 1, "name": "one_at a time" },
+        { "kind": "gap", "steps": 1 },
+        { "kind": "avoid", "zone": "bay", "weight": 2 },
+        { "kind": "depart", "from": 9, "off": true }],
+    "agents": [{ "name": "A1", "start": [0, 1], "goal": [2, 1] },
+               { "name": "A2", "start": [2, 1], "goal": [0, 1] }] }"##;
+
+#[test]
+fn a_certificate_says_the_rules_of_the_scene_s_own() {
+    let folder = Folder::with(&[("ruled.json", RULED)]);
+    let run = folder.run("solve ruled.json --proof certificate --format json");
+    assert_eq!(run.exit, Some(0), "{}", run.err);
+    expect![[r#"
+        Accepted: every file is as it was written.
+          proof          There is no plan with makespan at most 3.
+          proof          There is no plan with makespan at most 4 and penalty at most 3.
+        Together: the plan is optimal, its costs compared in the order of the objective.
+        Proved. 2 proofs were checked."#]].assert_eq(&verified(&folder, "certificate"));
+    let readme = folder.read("certificate/README.md");
+    let (_, rules) = readme.split_once("## Rules").unwrap();
+    let (rules, _) = rules.split_once("\n## ").unwrap();
+    expect![[r#"
+         of the scene's own
+
+        Every plan keeps these as well. Rules that name a cost forbid nothing: what they cost is the penalty
+        of a plan. A rule has the number of its place in the list of `instance.json`, from 0; rules that are
+        off are not listed.
+
+        - Rule 0: At most 1 of all robots in 'bay' always. It is called `one_at a time`.
+        - Rule 1: Each cell stays free for 1 step behind any of all robots.
+        - Rule 2: Each step of all robots in 'bay' costs 2.
+    "#]].assert_eq(rules);
+    // Without the rule it is a certificate of another scene.
+    let instance = folder.read("certificate/instance.json");
+    let free = instance.replace("\"most\": 1", "\"most\": 2");
+    assert_ne!(instance, free);
+    fs::write(folder.path("certificate/instance.json"), free).unwrap();
+    let run = folder.run("verify certificate");
+    assert_eq!(run.exit, Some(1));
+    expect![[r#"
+        Rejected: instance.json: it was changed: its fingerprint differs.
+        Not certified.
+    "#]]
+    .assert_eq(&run.out);
+}
+
 #[test]
 fn what_was_changed_is_rejected() {
     let folder = folder();

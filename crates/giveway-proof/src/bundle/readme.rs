@@ -113,8 +113,9 @@ fn rules(instance: &Instance) -> String {
 const RULES: &str = "
 ## Rules of the scene's own
 
-Every plan has to keep these as well; where one names a cost, the penalty of a plan counts it. Rules
-have their numbers in the list of `instance.json`, from 0; one that is off is not listed.
+Every plan keeps these as well. Rules that name a cost forbid nothing: what they cost is the penalty
+of a plan. A rule has the number of its place in the list of `instance.json`, from 0; rules that are
+off are not listed.
 
 ";
 

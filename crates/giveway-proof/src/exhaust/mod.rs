@@ -3,7 +3,7 @@
 //! There are finitely many states, so that what no search reaches is reached at
 //! no horizon. The rules are written down here once more, as steps from state to
 //! state, and shared with nothing else. Rules of the scene's own are watched
-//! ([`constraints`]), as the condition of a claim is ([`watch`]).
+//! (`constraints`), as the condition of a claim is (`watch`).
 
 mod constraints;
 mod lone;

@@ -75,7 +75,7 @@ pub(super) fn require(
                     None => cnf.clause([]),
                     Some(most) => {
                         let paid = constraints::penalties(cnf, instance, walker);
-                        constraints::limit(cnf, &paid, most, limit);
+                        constraints::limit(cnf, &paid, most, limit)?;
                     }
                 },
             }

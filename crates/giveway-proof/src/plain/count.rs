@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::sorting;
 
-use super::{Cnf, Lit, Name};
+use super::{Cnf, Lit, Name, NoFormula};
 
 /// Names the variable that at least so many hold, or weigh so much.
 pub(super) type Counts<'a> = &'a dyn Fn(u32) -> Name;
@@ -70,18 +70,20 @@ fn merge(cnf: &mut Cnf, name: Counts<'_>, a: &[Lit], b: &[Lit], most: usize) -> 
 /// whole weight does, and none of a higher weight has to.
 pub(super) type Weights = BTreeMap<u32, Lit>;
 
-/// What holds of all groups weighs at most `most`. Ends early, with too few clauses, where
-/// there are more than `limit`: the caller looks.
+/// What holds of all groups weighs at most `most`.
+///
+/// # Errors
+/// Where there would be more clauses than `limit`: different weights have many sums.
 pub(super) fn weigh_at_most(
     cnf: &mut Cnf,
     name: Counts<'_>,
     groups: &[Weights],
     most: u32,
     limit: usize,
-) {
+) -> Result<(), NoFormula> {
     // More than the largest number nothing weighs.
     let Some(too_much) = most.checked_add(1) else {
-        return;
+        return Ok(());
     };
     let mut sums: Vec<Weights> = Vec::new();
     for group in groups {
@@ -94,8 +96,10 @@ pub(super) fn weigh_at_most(
     while sums.len() > 1 {
         let mut added = Vec::new();
         for pair in sums.chunks(2) {
-            if cnf.clauses() > limit {
-                return;
+            let more = pair.iter().map(|sum| sum.len().saturating_add(1));
+            let more = more.fold(1, usize::saturating_mul);
+            if cnf.clauses().saturating_add(more) > limit {
+                return Err(NoFormula::TooLarge);
             }
             added.push(match pair {
                 [a, b] => add(cnf, name, a, b, too_much),
@@ -107,6 +111,7 @@ pub(super) fn weigh_at_most(
     if let Some(&lit) = sums.first().and_then(|sum| sum.get(&too_much)) {
         cnf.clause([-lit]);
     }
+    Ok(())
 }
 
 /// The sum of two weights; all that is too much is one.
@@ -153,7 +158,7 @@ mod tests {
             .map(|(&w, &lit)| Weights::from([(w, lit)]))
             .collect();
         let name = |n| Name::AtLeast(Cost::Penalty, n);
-        weigh_at_most(&mut cnf, &name, &groups, most, usize::MAX);
+        weigh_at_most(&mut cnf, &name, &groups, most, usize::MAX).unwrap();
         for (i, lit) in lits.iter().enumerate() {
             cnf.clause([if chosen >> i & 1 == 1 { *lit } else { -lit }]);
         }
@@ -185,5 +190,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn weights_of_too_many_sums_are_refused_at_once() {
+        let mut cnf = Cnf::default();
+        let groups: Vec<Weights> = (0..40)
+            .map(|n| {
+                Weights::from([(
+                    1 + (n * n * n * 7919) % 1_000_003,
+                    cnf.variable(Name::Group),
+                )])
+            })
+            .collect();
+        let name = |n| Name::AtLeast(Cost::Penalty, n);
+        let refused = weigh_at_most(&mut cnf, &name, &groups, 10_000_000, 100_000);
+        assert_eq!(refused, Err(NoFormula::TooLarge));
+        assert!(cnf.clauses() <= 100_000);
     }
 }

@@ -86,7 +86,7 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
                 paid.extend(constraints::penalties(&mut cnf, instance, walker));
                 check(&cnf, budget)?;
             }
-            constraints::limit(&mut cnf, &paid, most, budget.clauses);
+            constraints::limit(&mut cnf, &paid, most, budget.clauses)?;
             check(&cnf, budget)?;
             continue;
         }

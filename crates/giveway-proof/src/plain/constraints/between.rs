@@ -9,6 +9,9 @@ use super::super::agent::{Moment, Walker};
 use super::super::{Cnf, Lit, Name};
 use super::Writer;
 
+/// By column and row, the agents that count there, with their literals.
+type Places = BTreeMap<(u32, u32), Vec<(usize, Lit)>>;
+
 impl Writer<'_> {
     /// When an agent is at a cell, no other one is there in the next `steps` time steps: of
     /// all that are there at a time or so many steps before there is at most one.
@@ -65,27 +68,14 @@ impl Writer<'_> {
     /// At each of these times any two of the agents have at least this Manhattan distance.
     pub(super) fn apart(&self, cnf: &mut Cnf, distance: u32, times: Times) {
         for moment in Moment::of(times, self.last()) {
-            // By column and row, the agents that count there.
-            let mut there: BTreeMap<(u32, u32), Vec<(usize, Lit)>> = BTreeMap::new();
+            let mut there = Places::new();
             for walker in &self.walkers {
                 for (cell, lit) in walker.touches(moment) {
                     let agents = there.entry((cell.x, cell.y)).or_default();
                     agents.push((walker.index(), lit));
                 }
             }
-            let mut near: BTreeSet<(Lit, Lit)> = BTreeSet::new();
-            for (&(x, y), agents) in &there {
-                let columns = distance.min(self.instance.grid().width());
-                for right in 0..columns {
-                    let rest = distance - 1 - right;
-                    let rows = y.saturating_sub(rest)..=y.saturating_add(rest);
-                    let (x, first, last) = (x + right, *rows.start(), *rows.end());
-                    for others in there.range((x, first)..=(x, last)).map(|(_, it)| it) {
-                        near.extend(pairs(agents, others));
-                    }
-                }
-            }
-            for (one, other) in near {
+            for (one, other) in self.near(cnf, distance, &there) {
                 cnf.clause([-one, -other]);
             }
             if self.is_full(cnf) {
@@ -94,11 +84,30 @@ impl Writer<'_> {
         }
     }
 
+    /// The literals of two agents nearer than a distance; not all where there are too many.
+    fn near(&self, cnf: &Cnf, distance: u32, there: &Places) -> BTreeSet<(Lit, Lit)> {
+        let mut near = BTreeSet::new();
+        let columns = distance.min(self.instance.grid().width());
+        for (&(x, y), agents) in there {
+            for right in 0..columns {
+                let rest = distance - 1 - right;
+                let (first, last) = (y.saturating_sub(rest), y.saturating_add(rest));
+                for (_, others) in there.range((x + right, first)..=(x + right, last)) {
+                    near.extend(pairs(agents, others));
+                }
+                if cnf.clauses().saturating_add(near.len()) > self.limit {
+                    return near;
+                }
+            }
+        }
+        near
+    }
+
     /// The second is not at its cell at a time unless the first was at its own before.
     pub(super) fn before(&self, cnf: &mut Cnf, first: &Visit, second: &Visit) {
         let find = |name: &str| -> Option<&Walker<'_>> {
-            let walkers = self.walkers.iter().copied();
-            walkers.into_iter().find(|walker| walker.name() == name)
+            let mut walkers = self.walkers.iter().copied();
+            walkers.find(|walker| walker.name() == name)
         };
         let (Some(one), Some(other)) = (find(&first.agent), find(&second.agent)) else {
             return;

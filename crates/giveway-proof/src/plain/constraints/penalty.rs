@@ -5,7 +5,7 @@ use giveway_model::{Cost, Instance, sorting};
 
 use super::super::agent::{Moment, Walker};
 use super::super::count::{self, Weights};
-use super::super::{Cnf, Lit, Name};
+use super::super::{Cnf, Lit, Name, NoFormula};
 use super::area;
 
 /// What all rules make an agent pay, as weighed literals.
@@ -67,7 +67,12 @@ fn first_of_each(weights: impl Iterator<Item = (u32, Lit)>) -> Weights {
 }
 
 /// The agents pay at most so much together.
-pub(in crate::plain) fn limit(cnf: &mut Cnf, groups: &[Weights], most: u32, limit: usize) {
+pub(in crate::plain) fn limit(
+    cnf: &mut Cnf,
+    groups: &[Weights],
+    most: u32,
+    limit: usize,
+) -> Result<(), NoFormula> {
     let name = |n| Name::AtLeast(Cost::Penalty, n);
-    count::weigh_at_most(cnf, &name, groups, most, limit);
+    count::weigh_at_most(cnf, &name, groups, most, limit)
 }
