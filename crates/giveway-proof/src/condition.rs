@@ -1,7 +1,9 @@
 //! Claims about the plans that a question contrasts one with.
 
+use std::borrow::Cow;
+
 use giveway_model::words::name;
-use giveway_model::{Condition, Cost, Instance, Plan, Question, tr};
+use giveway_model::{Condition, Constraint, Cost, Instance, Plan, Question, tr};
 
 use crate::{Claim, escape};
 
@@ -42,6 +44,40 @@ impl Claim {
                 ..Self::default()
             }),
         }
+    }
+}
+
+/// A condition is a rule that an instance cannot have.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NoRule;
+
+/// The instance in which a condition that is a rule is one of its own.
+///
+/// # Errors
+/// Where the rule does not fit the instance.
+pub(crate) fn with_rule<'a>(
+    instance: &'a Instance,
+    condition: Option<&Condition>,
+) -> Result<Cow<'a, Instance>, NoRule> {
+    match condition {
+        Some(Condition::Keeps(rule)) => {
+            let mut scene = instance.to_scene();
+            scene.constraints.push(Constraint {
+                off: false,
+                name: None,
+                ..(**rule).clone()
+            });
+            Instance::new(scene).map(Cow::Owned).map_err(|_| NoRule)
+        }
+        Some(
+            Condition::Never { .. }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Charge { .. }
+            | Condition::Before { .. }
+            | Condition::Below { .. },
+        )
+        | None => Ok(Cow::Borrowed(instance)),
     }
 }
 

@@ -9,8 +9,8 @@
 use std::collections::BTreeMap;
 
 use giveway_model::format::native;
-use giveway_model::{Cost, Instance};
-use giveway_proof::exhaust::{Exhausted, least};
+use giveway_model::{Condition, Cost, Instance};
+use giveway_proof::exhaust::{Exhausted, exhaust_kind, least};
 use giveway_proof::{Budget, Claim, Outcome, plain, prove};
 
 /// Whether there is a plan of at most a makespan: one robot goes from the left end of a
@@ -142,4 +142,41 @@ fn a_penalty_is_limited_as_it_is_weighed() {
         let least = least(&instance, 0, Cost::Penalty, &Budget::default());
         assert_eq!(least, Exhausted::Plan(2_000_021));
     }
+}
+
+#[test]
+fn a_claim_about_a_rule_is_one_of_the_scene_with_it() {
+    let rule = r#"{ "kind": "visit", "cell": [1, 0], "stay": 1 }"#;
+    let about = |horizon| Claim {
+        condition: Some(Condition::Keeps(Box::new(
+            serde_json::from_str(rule).unwrap(),
+        ))),
+        ..Claim::default().within(Some(horizon))
+    };
+    let (free, with) = (corridor("", false), corridor(rule, false));
+    for horizon in [3, 4] {
+        let budget = Budget::default();
+        let text = |instance: &Instance, claim: &Claim| {
+            plain::formula(instance, claim, &budget).unwrap().text()
+        };
+        let plain = Claim::default().within(Some(horizon));
+        assert_eq!(text(&free, &about(horizon)), text(&with, &plain));
+        assert_ne!(text(&free, &about(horizon)), text(&free, &plain));
+    }
+    let sentence = about(3).sentence();
+    let words = "this rule holds: \"Each robot stays 1 step at (1, 0)\"";
+    assert!(sentence.contains(words), "{sentence}");
+    // A rule of an unknown zone is none of a scene: nothing is proved about it.
+    let unknown = r#"{ "kind": "closed", "zone": "attic" }"#;
+    let claim = Claim {
+        condition: Some(Condition::Keeps(Box::new(
+            serde_json::from_str(unknown).unwrap(),
+        ))),
+        ..Claim::default().within(Some(9))
+    };
+    assert!(plain::formula(&free, &claim, &Budget::default()).is_err());
+    assert_eq!(
+        exhaust_kind(&free, &claim, &Budget::default()),
+        Exhausted::Stopped
+    );
 }

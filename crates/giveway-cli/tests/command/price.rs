@@ -97,6 +97,12 @@ fn questions_name_a_rule_in_words_or_in_a_file() {
     assert_eq!(in_file.answer(), asked.answer());
     let (said, _) = asked.answer().rsplit_once("\n\n").unwrap();
     expect![[r#""#]].assert_eq(said);
+    let folder_with_proof = folder();
+    let line = "explain feeder.json rule --rule deadline.json --proof shown";
+    assert_eq!(folder_with_proof.run(line).exit, Some(0));
+    let checked = folder_with_proof.run("verify shown");
+    assert_eq!(checked.exit, Some(0), "{}", checked.out);
+    assert!(checked.out.contains("this rule holds"), "{}", checked.out);
     let so = folder().run_words(&["explain", "feeder.json", "rule", "each robot arrives by 10"]);
     assert_eq!(so.exit, Some(1));
     assert!(

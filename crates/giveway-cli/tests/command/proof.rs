@@ -88,7 +88,8 @@ fn a_certificate_says_the_rules_of_the_scene_s_own() {
           proof          There is no plan with makespan at most 3.
           proof          There is no plan with makespan at most 4 and penalty at most 3.
         Together: the plan is optimal, its costs compared in the order of the objective.
-        Proved. 2 proofs were checked."#]].assert_eq(&verified(&folder, "certificate"));
+        Proved. 2 proofs were checked."#]]
+    .assert_eq(&verified(&folder, "certificate"));
     let readme = folder.read("certificate/README.md");
     let (_, rules) = readme.split_once("## Rules").unwrap();
     let (rules, _) = rules.split_once("\n## ").unwrap();

@@ -12,8 +12,9 @@ mod watch;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Cost, Instance};
+use giveway_model::{Condition, Cost, Instance};
 
+use crate::condition::with_rule;
 use crate::{Budget, Claim};
 use constraints::{Past, Rules};
 use lone::{Lone, State, Step};
@@ -46,8 +47,13 @@ pub fn exhaust(
 /// Nothing is searched where no agent of the instance can be of that kind.
 pub fn exhaust_kind(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Exhausted {
     let all: Vec<usize> = (0..instance.agents().len()).collect();
+    let Ok(instance) = with_rule(instance, claim.condition.as_ref()) else {
+        return Exhausted::Stopped;
+    };
+    let instance = instance.as_ref();
     let watch = match &claim.condition {
-        None => None,
+        // A rule is one of the instance's own here.
+        None | Some(Condition::Keeps(_)) => None,
         Some(condition) => match Watch::of(instance, condition) {
             Some(watch) => Some(watch),
             None => return Exhausted::Stopped,

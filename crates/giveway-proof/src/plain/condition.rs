@@ -50,7 +50,8 @@ pub(super) fn require(
             let (early, late) = (find(&first.agent)?, find(&second.agent)?);
             before(cnf, (early, first.cell), (late, second.cell));
         }
-        Condition::Keeps(_) => return Err(NoFormula::NoAgent),
+        // It is one of the instance's own here.
+        Condition::Keeps(_) => {}
         Condition::Below {
             agent,
             cost,

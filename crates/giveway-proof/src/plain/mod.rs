@@ -16,6 +16,7 @@ mod names;
 
 use giveway_model::{Cost, Instance};
 
+use crate::condition::{NoRule, with_rule};
 use crate::{Budget, Claim};
 
 pub use cnf::{Cnf, Lit};
@@ -52,6 +53,9 @@ pub enum NoFormula {
 /// ```
 pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Result<Cnf, NoFormula> {
     let last = claim.horizon(instance).ok_or(NoFormula::NoHorizon)?;
+    let with_rule = with_rule(instance, claim.condition.as_ref());
+    let instance = with_rule.map_err(|NoRule| NoFormula::NoAgent)?;
+    let instance = instance.as_ref();
     // Each cell at each time is some clauses, and is looked at even without agents.
     let cells = instance.grid().width() as usize * instance.grid().height() as usize;
     if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
