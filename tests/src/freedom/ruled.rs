@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Cell, Cost, Instance, Objective, Plan, constraint::ConstraintKind};
-use giveway_solve::Status;
 use giveway_solve::freedom::{Closed, Farthest, FreedomAnswer, Hold, Known, Later, PlanCount};
+use giveway_solve::{Reason, Status, Stop};
 use serde_json::Value;
 
 use super::plans::{differs, ways};
@@ -53,6 +53,9 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
     let given = given.filter(|_| vector.iter().sum::<i64>() % 2 == 0);
     let given = given.map(|course| plan_of(&instance, course));
     let answer = ask(&instance, given, within);
+    if answer.reason == Some(Reason::Stopped(Stop::Conflicts)) {
+        return Compared::TooLarge;
+    }
     let mut faults = Vec::new();
     if answer.status != Status::Optimal || !answer.is_settled() {
         let (status, pending) = (answer.status, &answer.pending);

@@ -32,6 +32,7 @@ mod problem;
 mod read;
 mod steps;
 mod ticks;
+mod turning;
 mod write;
 
 use giveway_model::format::locate::Fields;

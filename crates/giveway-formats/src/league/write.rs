@@ -1,6 +1,7 @@
 //! Writes a plan as a result of 2024, with its map.
 //!
-//! Robots of this project turn for nothing, so the action model is `MAPF`. Each
+//! Where a rule of the scene has robots turn, a step for a quarter turn, the action model is
+//! `MAPF_T`; else robots turn for nothing, and it is `MAPF`. Each
 //! waypoint that a robot visits is a task of one errand. Costs are written by the
 //! definitions here: they count arrivals.
 
@@ -8,6 +9,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::turning::Turning;
 use crate::loss::Part;
 use crate::movingai;
 use crate::whole_steps::WholeSteps;
@@ -50,18 +52,33 @@ struct Output {
 pub(crate) fn write(job: &Job<'_>) -> Result<Written, Fault> {
     let (instance, plan) = job.both(Format::League)?;
     let paths = WholeSteps::new(instance, plan, Format::League)?;
-    let letters = all_letters(instance, &paths)?;
+    let plain = all_letters(instance, &paths)?;
+    let turning = Turning::of(instance, &paths);
+    let letters = match &turning {
+        Some(turning) => {
+            let all = turning.letters.iter().cloned();
+            all.map(|letters| joined(letters, &paths)).collect()
+        }
+        None => plain,
+    };
+    let heading = |robot: usize| {
+        let headings = turning.as_ref().map(|turning| &turning.headings);
+        headings
+            .and_then(|all| all.get(robot))
+            .map_or("N/A", |heading| *heading)
+    };
     let visits = visits(instance, &paths);
     let report = check(instance, plan);
     let output = Output {
-        action_model: "MAPF",
+        action_model: if turning.is_some() { "MAPF_T" } else { "MAPF" },
         all_valid: if report.is_valid() { "Yes" } else { "No" },
         version: "2024 LoRR",
         team_size: instance.agents().len(),
         start: instance
             .agents()
             .iter()
-            .map(|it| (it.start.y, it.start.x, "N/A"))
+            .enumerate()
+            .map(|(robot, it)| (it.start.y, it.start.x, heading(robot)))
             .collect(),
         num_task_finished: visits.len(),
         sum_of_cost: paths.sum_of_costs(),
@@ -79,7 +96,15 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Written, Fault> {
     let text = serde_json::to_string(&output)
         .map_err(|error| Fault::at("", error.to_string(), tr!("a result that can be written")))?;
     let map = movingai::write_map(instance.grid());
-    let mut written = job.written([(".map", map), (".json", text + "\n")], &[Part::Waypoints]);
+    let of_rest = Job {
+        instance: turning
+            .as_ref()
+            .map(|turning| &turning.rest)
+            .or(job.instance),
+        ..*job
+    };
+    let files = [(".map", map), (".json", text + "\n")];
+    let mut written = of_rest.written(files, &[Part::Waypoints]);
     written.losses.extend(unreached(instance, &paths, &visits));
     Ok(written)
 }
@@ -94,11 +119,15 @@ fn all_letters(instance: &Instance, paths: &WholeSteps) -> Result<Vec<String>, F
             Move::Right => "R",
             Move::Wait => "W",
         });
-        let mut letters: Vec<&str> = letters.collect();
-        letters.resize(paths.makespan(), "W");
-        letters.join(",")
+        joined(letters.collect(), paths)
     };
     Ok(paths.moves(instance)?.into_iter().map(letters).collect())
+}
+
+/// The letters of a robot up to the end of the plan.
+fn joined(mut letters: Vec<&str>, paths: &WholeSteps) -> String {
+    letters.resize(paths.makespan(), "W");
+    letters.join(",")
 }
 
 /// A waypoint that is visited, as a task.

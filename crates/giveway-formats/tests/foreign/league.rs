@@ -164,6 +164,7 @@ fn a_plan_is_written_as_a_result_of_2024_and_comes_back() {
     assert_eq!(written.losses, ["the objective"]);
     let result: Value = serde_json::from_str(&written.files[1].1).unwrap();
     assert_eq!(result["version"], "2024 LoRR");
+    assert_eq!(result["actionModel"], "MAPF_T");
     assert_eq!(result["AllValid"], "Yes");
     assert_eq!(
         result["numTaskFinished"],

@@ -3,7 +3,7 @@
 
 use giveway_formats::{Format, Missing, recognise};
 use giveway_model::check::Rule;
-use giveway_model::{Cell, Cost, Instance, Scene};
+use giveway_model::{Cell, Constraint, Cost, Instance, Scene};
 
 use crate::support::{comes_back, lacking, opened, refused, violations};
 
@@ -274,12 +274,35 @@ fn obstacles_that_move_stay_at_their_last_cell() {
 }
 
 #[test]
+fn an_obstacle_that_jumps_is_rules_alone() {
+    let text = "map: {dimensions: [3, 1], obstacles: []}\nagents: [{name: a, start: [0, 0], goal: [2, 0]}]\n\
+        dynamic_obstacles: {cart: [{t: 1, x: 1, y: 0}, {t: 3, x: 5, y: 0}, {t: 4, x: 1, y: 0}]}\n";
+    let read = opened(&[("s.yaml", text)]).unwrap();
+    assert_eq!(read.instance.assumptions(), []);
+    assert_eq!(read.instance.zones().len(), 1);
+    let sentences = read.instance.constraints().iter();
+    let sentences: Vec<String> = sentences.map(Constraint::sentence).collect();
+    let expected = [
+        "No robot in 'cart (1, 0)' from 1 to 2",
+        "No robot in 'cart (1, 0)' from 4 on",
+    ];
+    assert_eq!(sentences, expected);
+}
+
+#[test]
 fn a_scene_with_assumptions_comes_back_and_is_a_link() {
     let text = "map: {dimensions: [3, 1], obstacles: []}\nagents: [{name: a, start: [0, 0], potentialGoals: [[2, 0]], speed: 2}]\n\
-        dynamic_obstacles: {cart: [{t: 0, x: 2, y: 0}]}\n";
+        dynamic_obstacles: {cart: [{t: 0, x: 2, y: 0}, {t: 1, x: 1, y: 0}]}\n";
     let read = opened(&[("s.yaml", text)]).unwrap();
     let scene = read.instance.to_scene();
     assert_eq!(scene.assumptions.len(), 3);
+    assert_eq!((scene.zones.len(), scene.constraints.len()), (2, 2));
+    assert_eq!(scene.constraints[1].name.as_deref(), Some("cart 2"));
+    assert!(
+        read.notes
+            .iter()
+            .any(|note| note.contains("close the cells where cart is"))
+    );
     let own = giveway_model::format::native::write_scene(&scene);
     assert_eq!(
         giveway_model::format::native::read_scene(&own),
