@@ -40,7 +40,7 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
         Answer::Best(vector) => vector,
     };
     let of = |cost| costs.costs().iter().position(|&it| it == cost);
-    let value = |cost| Some(vector[of(cost)?] as u32);
+    let value = |cost| Some(number(vector[of(cost)?]));
     let latest = [value(Cost::Makespan), value(Cost::SumOfCosts), within];
     let Some(latest) = latest.into_iter().flatten().min() else {
         return Compared::TooLarge;
@@ -69,7 +69,7 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
     };
     let report = check(&instance, plan);
     let told = report.costs.map(|own| own.vector(&costs));
-    let expected: Vec<u32> = vector.iter().map(|&cost| cost as u32).collect();
+    let expected: Vec<u32> = vector.iter().copied().map(number).collect();
     if !report.violations.is_empty() || told.as_ref() != Some(&expected) {
         faults.push(format!(
             "{told:?}, not {expected:?}: {:?}",
@@ -108,6 +108,10 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
         faults.push(serde_json::to_string(&answer).unwrap());
         Compared::Differ(faults)
     }
+}
+
+fn number(cost: i64) -> u32 {
+    u32::try_from(cost).unwrap()
 }
 
 /// Where an agent is in a course at a time.
@@ -332,7 +336,7 @@ fn critical(
                 needed.is_some() == (of_agent || of_rule)
             }
             (Closed::Optimal { costs, deltas, .. }, Answer::Best(vector)) => {
-                let vector: Vec<u32> = vector.into_iter().map(|cost| cost as u32).collect();
+                let vector: Vec<u32> = vector.into_iter().map(number).collect();
                 let each = objective.costs().iter().zip(before).zip(&vector);
                 let by =
                     each.map(|((&cost, &one), &other)| (cost, i64::from(other) - i64::from(one)));

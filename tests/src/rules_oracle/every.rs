@@ -122,7 +122,7 @@ impl AllBest {
     }
 
     fn places(&self, joint: &Joint) -> Vec<Where> {
-        let cell = |(x, y): Spot| Cell::new(x as u32, y as u32);
+        let cell = |(x, y): Spot| Cell::new(x.try_into().unwrap(), y.try_into().unwrap());
         let each = joint.0.iter().zip(&self.search).zip(&self.goals);
         let places = each.map(
             |((&number, minds), &goal)| match minds[number as usize].place {

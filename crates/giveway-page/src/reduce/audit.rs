@@ -5,8 +5,7 @@ use std::rc::Rc;
 
 use giveway_formats::ForeignPlan;
 use giveway_model::assumption::left_out;
-use giveway_model::check::check;
-use giveway_model::{Assumption, Costs, Scene, tr_data};
+use giveway_model::{Costs, Scene, tr_data};
 use giveway_solve::{SolveAnswer, Status};
 
 use super::document::{amend, put};
