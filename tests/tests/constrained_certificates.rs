@@ -44,7 +44,7 @@ fn scenes(usual: u64) -> u64 {
 /// One kind, or two.
 fn kinds(number: u64) -> Vec<&'static str> {
     let of = |number: u64| KINDS[number as usize % KINDS.len()];
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         vec![of(number / 3)]
     } else {
         vec![of(number), of(number / KINDS.len() as u64)]

@@ -335,7 +335,7 @@ fn what_is_accepted_of_a_scene_with_rules_is_so() {
                     truth(&text, None).is_some_and(|other| other != known)
                 };
                 let early = [Seal::Fingerprints, Seal::Readme];
-                let early = early[usize::from((i + number) % 2 == 0)];
+                let early = early[usize::from((i + number).is_multiple_of(2))];
                 let everything = (change != Change::Clauses).then_some(Seal::Everything);
                 for seal in [early].into_iter().chain(everything) {
                     let forged = folder.clone().seal(seal);

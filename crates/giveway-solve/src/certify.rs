@@ -143,15 +143,17 @@ impl CertifyRequest {
 pub(crate) fn certify(request: &CertifyRequest, host: &dyn Host) -> Result<Report, Refusal> {
     let instance = request.instance()?;
     let solved = request.claims(&instance);
-    Ok(within(request.limits, host, |making, checking| {
-        confirm(&solved, making, checking)
-    }))
+    Ok(within(
+        (request.limits, &instance),
+        host,
+        |making, checking| confirm(&solved, making, checking),
+    ))
 }
 
 /// Does what makes certificates and checks them, each within its budget: for making
 /// them there is half of the time.
 fn within<T>(
-    limits: Limits,
+    (limits, instance): (Limits, &Instance),
     host: &dyn Host,
     work: impl FnOnce(&giveway_proof::Budget<'_>, &giveway_proof::Budget<'_>) -> T,
 ) -> T {
@@ -168,7 +170,7 @@ fn within<T>(
         }
     };
     let (makes, checks) = (tell(false), tell(true));
-    let size = size(&limits);
+    let size = size(&limits, instance);
     work(
         &giveway_proof::Budget {
             go_on: &|| making.check().is_ok(),
@@ -185,15 +187,20 @@ fn within<T>(
 
 /// The limits that fit into the memory, by the measured sizes of formulas, proofs and states while they are
 /// written and checked.
-fn size(limits: &Limits) -> giveway_proof::Budget<'static> {
+fn size(limits: &Limits, instance: &Instance) -> giveway_proof::Budget<'static> {
     let whole = giveway_proof::Budget::default();
     let Some(memory) = limits.memory_bytes.and_then(|n| usize::try_from(n).ok()) else {
         return whole;
     };
+    let state_bytes = if instance.is_constrained() {
+        RULED_STATE_BYTES
+    } else {
+        STATE_BYTES
+    };
     giveway_proof::Budget {
         clauses: whole.clauses.min(memory / CLAUSE_BYTES),
         proof_bytes: whole.proof_bytes.min(memory / PROOF_SHARE),
-        states: whole.states.min(memory / STATE_BYTES),
+        states: whole.states.min(memory / state_bytes),
         ..whole
     }
 }
@@ -201,3 +208,5 @@ fn size(limits: &Limits) -> giveway_proof::Budget<'static> {
 const CLAUSE_BYTES: usize = 500;
 const PROOF_SHARE: usize = 14;
 const STATE_BYTES: usize = 800;
+/// With what rules of the scene's own ask a state to remember.
+const RULED_STATE_BYTES: usize = 1600;

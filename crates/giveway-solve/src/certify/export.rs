@@ -88,7 +88,7 @@ pub(crate) fn export(request: &ExportRequest, host: &dyn Host) -> Result<ExportA
 fn one(request: &CertifyRequest, limits: Limits, host: &dyn Host) -> Result<Exported, Refusal> {
     let instance = request.instance()?;
     let solved = request.claims(&instance);
-    let (bundle, report) = within(limits, host, |making, checking| {
+    let (bundle, report) = within((limits, &instance), host, |making, checking| {
         export_checked(&solved, making, checking)
     });
     // All of them are written as texts.
