@@ -363,6 +363,7 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
                 method: Method::Tunnel(1),
                 held: Vec::new(),
                 has_batteries: false,
+                rule: None,
             })),
             "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
         ),

@@ -15,16 +15,16 @@
 use std::fs;
 use std::path::Path;
 
-use giveway_model::change::Changes;
 use giveway_model::check::check;
 use giveway_model::format::native;
 use giveway_model::{Cost, Instance, Objective};
+use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanEnd, PlanRequest, Planner};
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::trace::AgentLimit;
 use giveway_solve::{
-    CheckRequest, Limits, Reason, Refusal, Request, Response, SilentHost, SolveAnswer,
-    SolveRequest, Status, Stop, serve,
+    Limits, Reason, Refusal, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status,
+    Stop, serve,
 };
 use giveway_tests::environment;
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
@@ -141,12 +141,11 @@ fn what_does_not_heed_rules_refuses_them() {
     let mut scene = scene_with_rules(31, 3, &["gap"]);
     let refuses = |scene: &Value| {
         let instance = native::read_instance(&scene.to_string()).unwrap();
-        let request = CheckRequest {
+        let request = FreedomRequest {
             scene: instance.to_scene(),
-            changes: Some(Changes::default()),
-            ..CheckRequest::default()
+            ..FreedomRequest::default()
         };
-        let refused = serve(&Request::Check(request), &SilentHost);
+        let refused = serve(&Request::Freedom(request), &SilentHost);
         matches!(refused, Response::Refused(Refusal::Scene { faults })
             if faults[0].place == "constraints[0]")
     };

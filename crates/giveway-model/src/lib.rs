@@ -37,7 +37,9 @@ pub use constraint::{Constraint, Zone};
 pub use cost::{Cost, Costs, Objective, ObjectiveError, UnknownCost};
 pub use fault::Fault;
 pub use grid::{Grid, GridError, Ground};
-pub use instance::{Breakdown, Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE, StartState};
+pub use instance::{
+    Breakdown, ClosedCell, Instance, MAX_AGENTS, MAX_CAPACITY, MAX_SIDE, StartState,
+};
 pub use plan::{Path, Plan};
 pub use question::Question;
 pub use release::release;

@@ -265,9 +265,12 @@ impl Problem {
         masks
     }
 
-    /// The same, where precedences ask for it; else nothing is known of how far it came.
+    /// The same, where rules between agents ask for it; else nothing is known of how far it
+    /// came.
     pub(crate) fn masks_of(&self, agent: usize, walk: &[Place]) -> Vec<Mask> {
-        if self.precedences.is_empty() {
+        let mut rules = self.between.rules.iter();
+        let asks = !self.precedences.is_empty() || rules.any(|rule| !rule.uncounted.is_empty());
+        if !asks {
             return vec![0; walk.len()];
         }
         let mut masks = self.follow(agent, walk);

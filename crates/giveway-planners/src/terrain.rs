@@ -39,7 +39,7 @@ pub struct Terrain {
     chargers: Vec<bool>,
 }
 
-const NO_VERTEX: Vertex = Vertex::MAX;
+pub(crate) const NO_VERTEX: Vertex = Vertex::MAX;
 
 impl Terrain {
     /// The graph of a grid.

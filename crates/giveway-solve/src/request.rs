@@ -70,22 +70,20 @@ impl Request {
         }
     }
 
-    /// The scene of a request that does not heed rules of the scene's own.
-    pub(crate) const fn unconstrained_scene(&self) -> Option<&Scene> {
+    /// The changes of a request that does not heed rules of a scene's own.
+    pub(crate) const fn unconstrained_changes(&self) -> Option<&Changes> {
         match self {
+            Self::Explain(request) => request.changes.as_ref(),
             Self::Solve(_)
+            | Self::Check(_)
+            | Self::Certify(_)
+            | Self::Export(_)
+            | Self::Change(_)
             | Self::Audit(_)
             | Self::Plan(_)
             | Self::Freedom(_)
-            | Self::Together(_)
             | Self::Price(_)
-            | Self::Certify(_)
-            | Self::Export(_) => None,
-            // Where the world changes, it looks at the rules itself.
-            Self::Explain(_) => None,
-            Self::Check(request) if request.changes.is_none() => None,
-            Self::Check(request) => Some(&request.scene),
-            Self::Change(request) => Some(&request.scene),
+            | Self::Together(_) => None,
         }
     }
 

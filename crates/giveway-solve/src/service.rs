@@ -138,10 +138,8 @@ impl Refusal {
 /// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
     let moving = request.claimed_scene().map(assumed::refuse_moving);
-    let constrained = request
-        .unconstrained_scene()
-        .map(assumed::refuse_constrained);
-    let mut refused = moving.into_iter().chain(constrained);
+    let constraining = assumed::refuse_constraining(request.unconstrained_changes());
+    let mut refused = moving.into_iter().chain([constraining]);
     if let Some(Err(refusal)) = refused.find(Result::is_err) {
         return Response::Refused(refusal);
     }
@@ -203,9 +201,7 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
 pub fn serve_basic(request: Basic<'_>, host: &dyn Host) -> Response {
     match request {
         Basic::Solve(request) => serve_best(request, host),
-        Basic::Change(request) => match assumed::refuse_moving(&request.scene)
-            .and_then(|()| assumed::refuse_constrained(&request.scene))
-        {
+        Basic::Change(request) => match assumed::refuse_moving(&request.scene) {
             Ok(()) => serve_change(request, host),
             Err(refusal) => Response::Refused(refusal),
         },

@@ -468,6 +468,11 @@ export type Change = { at: number } & (
   | { change: "set-goal" | "add-waypoint" | "drop-waypoint"; agent: string; cell: Cell }
   | { change: "set-battery"; agent: string; level: number }
   | { change: "delay-agent"; agent: string; steps: number }
+  /** The zone of the rule is one of the scene. */
+  | { change: "add-constraint"; constraint: Constraint }
+  /** Rules that changes added are numbered on from those of the scene. */
+  | { change: "remove-constraint"; name: string }
+  | { change: "remove-constraint"; index: number }
 );
 
 export interface Changes {
@@ -495,9 +500,11 @@ export interface ChangeRequest {
 /** Why a method has no plan. */
 export interface Cause {
   agent: string;
-  kind: "obstacle" | "goal" | "waypoint" | "battery" | "no-way" | "blocked";
+  kind: "obstacle" | "goal" | "waypoint" | "rule" | "battery" | "no-way" | "blocked";
   cell: Cell | null;
   agents?: string[];
+  /** The rule of the scene's own that leaves no plan, by its number, where it is one. */
+  rule?: { index: number; name: string | null };
   within: number | null;
   text: string;
 }

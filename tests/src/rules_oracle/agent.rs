@@ -21,16 +21,24 @@ pub(super) enum Where {
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Mind {
     pub(super) place: Where,
-    level: Option<i64>,
-    seen: BTreeSet<Spot>,
+    pub(super) level: Option<i64>,
+    pub(super) seen: BTreeSet<Spot>,
     /// Of each of its sequences, how many cells are done.
-    done: Vec<usize>,
+    pub(super) done: Vec<usize>,
     /// Of each of its visits, for how many times on end it has been there; one more than the
     /// stay: made.
-    stays: Vec<i64>,
-    /// Wait steps since its last move, as far as a rule asks.
-    stood: i64,
-    facing: Option<i64>,
+    pub(super) stays: Vec<i64>,
+    /// Of each rule about waits, how many it has just made, as far as the rule asks.
+    pub(super) waited: Vec<i64>,
+    /// Wait steps since its last move, as far as turns ask.
+    pub(super) stood: i64,
+    pub(super) facing: Option<i64>,
+    /// How long it is still broken down.
+    pub(super) held: i64,
+    /// The zones, by rule, in which it is not counted until it has left.
+    pub(super) uncounted: BTreeSet<usize>,
+    /// How far it has come on the path that it is held to.
+    pub(super) progress: usize,
     /// Its cells 1, 2, ... steps ago, as far as a gap asks.
     pub(super) past: Vec<Option<Spot>>,
 }
@@ -45,7 +53,7 @@ pub(super) struct Way {
 
 const SIDES: [(i64, i64); 4] = [(0, -1), (1, 0), (0, 1), (-1, 0)];
 
-fn direction(from: Spot, to: Spot) -> i64 {
+pub(super) fn direction(from: Spot, to: Spot) -> i64 {
     let side = (to.0 - from.0, to.1 - from.1);
     let mut sides = (0..).zip(SIDES);
     sides.find(|(_, other)| *other == side).unwrap().0
@@ -57,9 +65,13 @@ fn quarters(one: i64, other: i64) -> i64 {
 
 impl RuleScene {
     pub(super) fn of(&self, agent: usize) -> impl Iterator<Item = &OracleRule> {
-        self.rules
-            .iter()
-            .filter(move |rule| rule.agents.contains(&agent))
+        self.numbered(agent).map(|(_, rule)| rule)
+    }
+
+    /// The rules of an agent with their numbers.
+    pub(super) fn numbered(&self, agent: usize) -> impl Iterator<Item = (usize, &OracleRule)> {
+        let rules = self.rules.iter().enumerate();
+        rules.filter(move |(_, rule)| rule.agents.contains(&agent))
     }
 
     /// The cell that it is at.
@@ -79,7 +91,7 @@ impl RuleScene {
         }
     }
 
-    fn is_in(&self, zone: &BTreeSet<Spot>, agent: usize, mind: &Mind) -> bool {
+    pub(super) fn is_in(&self, zone: &BTreeSet<Spot>, agent: usize, mind: &Mind) -> bool {
         self.touches(agent, mind)
             .iter()
             .any(|spot| zone.contains(spot))
@@ -96,6 +108,11 @@ impl RuleScene {
     }
 
     pub(super) fn begin(&self, agent: usize) -> Vec<Mind> {
+        self.be_there(agent, self.fresh(agent), 0, true)
+    }
+
+    /// An agent at its start that has done nothing yet.
+    pub(super) fn fresh(&self, agent: usize) -> Mind {
         let task = &self.agents[agent];
         let count = |is: fn(&Kind) -> bool| self.of(agent).filter(|rule| is(&rule.kind)).count();
         let gaps = self.of(agent).map(|rule| match rule.kind {
@@ -103,21 +120,30 @@ impl RuleScene {
             _ => 0,
         });
         let turns = count(|kind| matches!(kind, Kind::Turns(_))) > 0;
-        let mind = Mind {
+        Mind {
             place: Where::At(task.start),
             level: task.battery.map(|(_, level)| level),
             seen: BTreeSet::new(),
             done: vec![0; count(|kind| matches!(kind, Kind::Sequence(_)))],
             stays: vec![0; count(|kind| matches!(kind, Kind::Visit(..)))],
+            waited: vec![0; count(|kind| matches!(kind, Kind::NoWaiting(..)))],
             stood: 0,
             facing: task.heading.filter(|_| turns),
+            held: 0,
+            uncounted: BTreeSet::new(),
+            progress: 0,
             past: vec![None; gaps.max().unwrap_or(0)],
-        };
-        self.be_there(agent, mind, 0, true)
+        }
     }
 
     /// What an agent has become by being where it is: on its way, and arrived where it may.
-    fn be_there(&self, agent: usize, mut mind: Mind, time: i64, entered: bool) -> Vec<Mind> {
+    pub(super) fn be_there(
+        &self,
+        agent: usize,
+        mut mind: Mind,
+        time: i64,
+        entered: bool,
+    ) -> Vec<Mind> {
         if mind.level.is_some_and(|level| level < self.floor) {
             return Vec::new();
         }
@@ -126,10 +152,17 @@ impl RuleScene {
         mind.seen
             .extend(here.filter(|spot| task.waypoints.contains(spot)));
         let (mut sequence, mut visit) = (0, 0);
-        for rule in self.of(agent) {
+        for (number, rule) in self.numbered(agent) {
             match &rule.kind {
-                Kind::Closed(zone) if rule.is_about(time) && self.is_in(zone, agent, &mind) => {
-                    return Vec::new();
+                Kind::Closed(zone) | Kind::Capacity(zone, _) => {
+                    if !self.is_in(zone, agent, &mind) {
+                        mind.uncounted.remove(&number);
+                    } else if matches!(rule.kind, Kind::Closed(_))
+                        && rule.is_about(time)
+                        && !mind.uncounted.contains(&number)
+                    {
+                        return Vec::new();
+                    }
                 }
                 Kind::Sequence(cells) => {
                     let done = &mut mind.done[sequence];
@@ -149,50 +182,90 @@ impl RuleScene {
                 _ => {}
             }
         }
-        let arrives = entered && here == Some(task.goal) && self.may_arrive(agent, &mind, time);
-        let home = Mind {
+        let arrives =
+            entered && here == Some(task.goal) && self.may_arrive(agent, &mind, time, false);
+        let home = self.home(&mind);
+        [mind].into_iter().chain(arrives.then_some(home)).collect()
+    }
+
+    /// An agent that has arrived where it is.
+    pub(super) fn home(&self, mind: &Mind) -> Mind {
+        Mind {
             place: Where::Home,
             level: None,
             seen: BTreeSet::new(),
             done: Vec::new(),
             stays: Vec::new(),
+            waited: Vec::new(),
             stood: 0,
             facing: None,
-            past: mind.past.clone(),
-        };
-        [mind].into_iter().chain(arrives.then_some(home)).collect()
+            held: 0,
+            progress: 0,
+            ..mind.clone()
+        }
     }
 
-    fn may_arrive(&self, agent: usize, mind: &Mind, time: i64) -> bool {
+    /// Whether an agent at its goal may have arrived; `rested` where it arrived before, which
+    /// no rule about arrivals looks at here.
+    pub(super) fn may_arrive(&self, agent: usize, mind: &Mind, time: i64, rested: bool) -> bool {
         let task = &self.agents[agent];
         let (mut sequence, mut visit) = (0, 0);
         mind.seen == task.waypoints
-            && self.of(agent).all(|rule| match &rule.kind {
+            && task
+                .path
+                .as_ref()
+                .is_none_or(|path| mind.progress + 1 == path.len())
+            && self.numbered(agent).all(|(number, rule)| match &rule.kind {
                 Kind::Sequence(cells) => {
                     sequence += 1;
                     mind.done[sequence - 1] == cells.len()
                 }
                 Kind::Visit(cell, stay) => {
                     visit += 1;
-                    mind.stays[visit - 1] > *stay
-                        || !self.vanish
-                            && *cell == task.goal
-                            && time.max(rule.from) + stay <= rule.to
+                    let run = mind.stays[visit - 1];
+                    let since = if run > 0 {
+                        time + 1 - run
+                    } else {
+                        time.max(rule.from)
+                    };
+                    run > *stay || !self.vanish && *cell == task.goal && since + stay <= rule.to
                 }
-                Kind::Arrive => rule.is_about(time),
-                Kind::Closed(zone) => self.vanish || !zone.contains(&task.goal) || rule.to < time,
+                Kind::Arrive => rested || rule.is_about(time),
+                Kind::Closed(zone) => {
+                    self.vanish
+                        || !zone.contains(&task.goal)
+                        || rule.to < time
+                        || mind.uncounted.contains(&number)
+                }
                 _ => true,
             })
     }
 
-    /// The most wait steps that a rule of an agent counts.
-    fn patience(&self, agent: usize) -> i64 {
+    /// The most steps that an agent stands as far as turns ask.
+    pub(super) fn patience(&self, agent: usize) -> i64 {
         let counts = self.of(agent).map(|rule| match rule.kind {
-            Kind::NoWaiting(_, most) => most,
             Kind::Turns(quarter) => 2 * quarter,
             _ => 0,
         });
         counts.max().unwrap_or(0)
+    }
+
+    /// The waits of an agent after one more at a cell; `None` where that is too long.
+    fn wait(&self, agent: usize, mind: &Mind, here: Spot) -> Option<Vec<i64>> {
+        let rules = self.of(agent).filter_map(|rule| match &rule.kind {
+            Kind::NoWaiting(zone, most) => Some((zone, *most)),
+            _ => None,
+        });
+        let after = rules.zip(&mind.waited).map(|((zone, most), &waited)| {
+            if mind.held > 0 {
+                Some(waited)
+            } else if zone.contains(&here) && waited >= most {
+                None
+            } else {
+                Some((waited + 1).min(most))
+            }
+        });
+        after.collect()
     }
 
     /// The steps that begin in a state at a time.
@@ -203,6 +276,7 @@ impl RuleScene {
         let next = |place: Where| Mind {
             place,
             past: past.clone(),
+            held: (mind.held - 1).max(0),
             ..mind.clone()
         };
         let here = match mind.place {
@@ -235,13 +309,10 @@ impl RuleScene {
             levels.push((Some(capacity), 1));
         }
         for (level, charge) in levels {
-            let too_long = self.of(agent).any(|rule| {
-                matches!(&rule.kind, Kind::NoWaiting(zone, most)
-                    if zone.contains(&here) && mind.stood >= *most)
-            });
-            if !too_long {
+            if let Some(waited) = self.wait(agent, mind, here) {
                 let mut there = next(Where::At(here));
                 there.level = level;
+                there.waited = waited;
                 there.stood = (mind.stood + 1).min(self.patience(agent));
                 for to in self.be_there(agent, there, time + 1, false) {
                     ways.push(Way {
@@ -265,6 +336,8 @@ impl RuleScene {
                 let mut moved = next(place);
                 moved.level = level;
                 moved.stood = 0;
+                moved.waited.fill(0);
+                moved.progress += usize::from(self.agents[agent].path.is_some());
                 let turns = self
                     .of(agent)
                     .any(|rule| matches!(rule.kind, Kind::Turns(_)));
@@ -282,7 +355,10 @@ impl RuleScene {
     }
 
     fn may_move(&self, agent: usize, mind: &Mind, step: (Spot, Spot), time: i64) -> bool {
+        let path = self.agents[agent].path.as_ref();
         self.free.contains(&step.1)
+            && mind.held == 0
+            && path.is_none_or(|path| path.get(mind.progress + 1) == Some(&step.1))
             && self.of(agent).all(|rule| match &rule.kind {
                 Kind::OneWay(back) => !back.contains(&step),
                 Kind::Depart => time >= rule.from,

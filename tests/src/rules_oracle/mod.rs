@@ -7,10 +7,12 @@
 //! horizon holds for every horizon.
 
 mod agent;
+mod changed;
 mod every;
 mod scene;
 mod search;
 
+pub use changed::ChangedRules;
 pub use every::{AllBest, all_best};
 pub use scene::RuleScene;
 pub use search::{Answer, best};

@@ -19,6 +19,8 @@ pub(super) struct RuleAgent {
     pub(super) battery: Option<(i64, i64)>,
     /// Clockwise from the north.
     pub(super) heading: Option<i64>,
+    /// The only cells that it may go along, where it is held to some.
+    pub(super) path: Option<Vec<Spot>>,
 }
 
 /// What a rule demands.
@@ -85,7 +87,7 @@ pub struct RuleScene {
     pub(super) last: i64,
 }
 
-fn spot(value: &Value) -> Spot {
+pub(super) fn spot(value: &Value) -> Spot {
     (value[0].as_i64().unwrap(), value[1].as_i64().unwrap())
 }
 
@@ -132,6 +134,7 @@ impl RuleScene {
                 .zip(directions)
                 .find(|(_, name)| agent["heading"] == *name)
                 .map(|(number, _)| number),
+            path: None,
         };
         let agents = json["agents"].as_array().unwrap();
         let names: Vec<&str> = agents.iter().map(|a| a["name"].as_str().unwrap()).collect();

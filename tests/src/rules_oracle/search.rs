@@ -65,7 +65,23 @@ pub(super) struct Search<'a> {
 
 /// The costs of the best plan; with a horizon, of those of at most that makespan.
 pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
-    let mut search = Search::begun(scene);
+    run(Search::begun(scene), within, most)
+}
+
+/// The same from states at a time on, each with its costs so far; and whether the first of
+/// each precedence was at its cell before.
+pub(super) fn best_from(
+    scene: &RuleScene,
+    (at, starts, before): (i64, Vec<(Vec<Mind>, Vec<i64>)>, &[bool]),
+    within: Option<i64>,
+    most: usize,
+) -> Answer {
+    let known = if within.is_some() { at } else { at.min(scene.last + 1) };
+    run(Search::from(scene, (at, known), starts, before), within, most)
+}
+
+fn run(mut search: Search<'_>, within: Option<i64>, most: usize) -> Answer {
+    let scene = search.scene;
     let after = scene.last + 1;
     let clip = |time: i64| {
         if within.is_some() {
@@ -96,15 +112,8 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
 impl<'a> Search<'a> {
     /// A search that knows the joint states at time 0.
     pub(super) fn begun(scene: &'a RuleScene) -> Self {
-        let agents = 0..scene.agents.len();
-        let mut search = Search {
-            scene,
-            minds: agents.clone().map(|_| Minds::default()).collect(),
-            best: BTreeMap::new(),
-            open: BinaryHeap::new(),
-        };
         let mut starts: Vec<Vec<Mind>> = vec![Vec::new()];
-        for agent in agents {
+        for agent in 0..scene.agents.len() {
             let each = scene.begin(agent);
             let longer = |head: &Vec<Mind>| -> Vec<Vec<Mind>> {
                 let with = |mind: &Mind| [head.clone(), vec![mind.clone()]].concat();
@@ -113,14 +122,32 @@ impl<'a> Search<'a> {
             starts = starts.iter().flat_map(longer).collect();
         }
         let none = vec![false; scene.orders().count()];
-        for minds in starts {
+        let nothing = vec![0; scene.objective.len()];
+        let starts = starts.into_iter().map(|minds| (minds, nothing.clone()));
+        Search::from(scene, (0, 0), starts.collect(), &none)
+    }
+
+    /// A search that knows joint states at a time, which is remembered as another one where
+    /// later times are alike, each with its costs so far.
+    fn from(
+        scene: &'a RuleScene,
+        (at, known): (i64, i64),
+        starts: Vec<(Vec<Mind>, Vec<i64>)>,
+        before: &[bool],
+    ) -> Self {
+        let mut search = Search {
+            scene,
+            minds: (0..scene.agents.len()).map(|_| Minds::default()).collect(),
+            best: BTreeMap::new(),
+            open: BinaryHeap::new(),
+        };
+        for (minds, costs) in starts {
             let refs: Vec<&Mind> = minds.iter().collect();
-            if scene.may_be(&refs, 0, &none) {
-                let been = scene.been(&refs, &none);
+            if scene.may_be(&refs, at, before) {
+                let been = scene.been(&refs, before);
                 let numbers = minds.iter().zip(&mut search.minds);
                 let numbers = numbers.map(|(mind, minds)| minds.number(mind)).collect();
-                let costs = vec![0; scene.objective.len()];
-                search.reach((numbers, been, 0), costs, 0);
+                search.reach((numbers, been, known), costs, at);
             }
         }
         search
@@ -217,7 +244,7 @@ impl<'a> Search<'a> {
 }
 
 impl RuleScene {
-    fn orders(&self) -> impl Iterator<Item = ((usize, Spot), (usize, Spot))> {
+    pub(super) fn orders(&self) -> impl Iterator<Item = ((usize, Spot), (usize, Spot))> {
         self.rules.iter().filter_map(|rule| match rule.kind {
             Kind::Before(first, second) => Some((first, second)),
             _ => None,
@@ -249,35 +276,41 @@ impl RuleScene {
                 .collect()
         };
         apart.len() == held.len()
-            && self.rules.iter().all(|rule| match &rule.kind {
-                Kind::Capacity(zone, most) if rule.is_about(time) => {
-                    let inside = rule.agents.iter().filter(|&&a| {
-                        self.touches(a, minds[a])
-                            .iter()
-                            .any(|spot| zone.contains(spot))
-                    });
-                    inside.count() <= *most
-                }
-                Kind::Apart(distance) if rule.is_about(time) => {
-                    pairs(&rule.agents).iter().all(|&(a, b)| {
-                        self.touches(a, minds[a]).iter().all(|p| {
-                            let others = self.touches(b, minds[b]);
-                            others
+            && self
+                .rules
+                .iter()
+                .enumerate()
+                .all(|(number, rule)| match &rule.kind {
+                    Kind::Capacity(zone, most) if rule.is_about(time) => {
+                        let counted = rule.agents.iter();
+                        let counted = counted.filter(|&&a| !minds[a].uncounted.contains(&number));
+                        let inside = counted.filter(|&&a| {
+                            self.touches(a, minds[a])
                                 .iter()
-                                .all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
+                                .any(|spot| zone.contains(spot))
+                        });
+                        inside.count() <= *most
+                    }
+                    Kind::Apart(distance) if rule.is_about(time) => {
+                        pairs(&rule.agents).iter().all(|&(a, b)| {
+                            self.touches(a, minds[a]).iter().all(|p| {
+                                let others = self.touches(b, minds[b]);
+                                others
+                                    .iter()
+                                    .all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
+                            })
                         })
-                    })
-                }
-                Kind::Gap(steps) => pairs(&rule.agents).iter().all(|&(a, b)| {
-                    cells[b].is_none()
-                        || !minds[a]
-                            .past
-                            .iter()
-                            .take(*steps)
-                            .any(|past| *past == cells[b])
-                }),
-                _ => true,
-            })
+                    }
+                    Kind::Gap(steps) => pairs(&rule.agents).iter().all(|&(a, b)| {
+                        cells[b].is_none()
+                            || !minds[a]
+                                .past
+                                .iter()
+                                .take(*steps)
+                                .any(|past| *past == cells[b])
+                    }),
+                    _ => true,
+                })
             && self
                 .orders()
                 .zip(been)

@@ -1,5 +1,6 @@
 //! The changes of one time, applied together to the world as a plan has it.
 
+mod constraints;
 mod look_over;
 
 use std::collections::BTreeMap;
@@ -36,6 +37,7 @@ impl History {
             obstacles: BTreeMap::new(),
             placed: Vec::new(),
             aimed: Vec::new(),
+            ruled: Vec::new(),
         };
         for &(index, change) in changes {
             if at > MAX_TIME {
@@ -45,6 +47,7 @@ impl History {
             }
         }
         world.look_over();
+        world.look_over_constraints();
         let World {
             mut after,
             faults,
@@ -80,6 +83,8 @@ struct World<'a> {
     placed: Vec<(usize, String, Cell)>,
     /// Cells that agents must go to, with the changes that said so.
     aimed: Vec<(usize, Cell)>,
+    /// New rules by their numbers, with the changes that added them.
+    ruled: Vec<(usize, usize)>,
 }
 
 impl World<'_> {
@@ -106,6 +111,8 @@ impl World<'_> {
             What::DropWaypoint { agent, cell } => self.drop_waypoint(agent, *cell),
             What::SetBattery { agent, level } => self.level(agent, *level),
             What::DelayAgent { agent, steps } => self.delay(agent, *steps),
+            What::AddConstraint { constraint } => self.add_constraint(index, constraint),
+            What::RemoveConstraint { constraint } => self.remove_constraint(constraint),
         };
         if let Err(reason) = done {
             self.refuse(index, reason);

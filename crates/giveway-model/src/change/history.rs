@@ -1,7 +1,8 @@
 //! The world over time: what an instance and the changes of a plan make.
 
 use super::{Changes, MAX_TIME, Timeline, Trajectory};
-use crate::{Agent, Fault, Grid, Instance, Plan, Rules};
+use crate::constraint::TimedConstraint;
+use crate::{Agent, Fault, Grid, Instance, Plan, Rules, Zone};
 
 /// The map from a time on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +38,8 @@ pub struct History {
     first: Grid,
     pub(super) epochs: Vec<Epoch>,
     pub(super) timelines: Vec<Timeline>,
+    zones: Vec<Zone>,
+    pub(super) constraints: Vec<TimedConstraint>,
 }
 
 impl History {
@@ -49,6 +52,11 @@ impl History {
             first: instance.grid().clone(),
             epochs: Vec::new(),
             timelines: instance.agents().iter().map(begun).collect(),
+            zones: instance.zones().to_vec(),
+            constraints: {
+                let constraints = instance.constraints().iter().cloned();
+                constraints.map(TimedConstraint::of_scene).collect()
+            },
         }
     }
 
@@ -101,6 +109,17 @@ impl History {
     /// All agents that there ever were, in the order in which they came.
     pub fn timelines(&self) -> &[Timeline] {
         &self.timelines
+    }
+
+    /// The named parts of the map.
+    pub fn zones(&self) -> &[Zone] {
+        &self.zones
+    }
+
+    /// All rules of the scene's own that there ever were, those of the scene first, then
+    /// those that were added, in the order in which they came. A rule keeps its number.
+    pub fn constraints(&self) -> &[TimedConstraint] {
+        &self.constraints
     }
 
     /// The agents that a plan still has at a time: those that were neither

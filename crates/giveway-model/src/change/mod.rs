@@ -14,7 +14,7 @@ mod written;
 use serde::{Deserialize, Serialize};
 
 use crate::object_only;
-use crate::{Agent, Cell, Fault, Version, sorting};
+use crate::{Agent, Cell, Constraint, Fault, Version, sorting};
 
 pub use history::{Epoch, History};
 pub use timeline::{TimedWaypoint, Timeline};
@@ -193,4 +193,25 @@ pub enum What {
         /// How long, in steps.
         steps: u32,
     },
+    /// A rule of the scene's own begins to hold. Its zone is one of the scene: a change
+    /// brings no zone of its own.
+    AddConstraint {
+        /// The rule, as in an instance.
+        constraint: Constraint,
+    },
+    /// A rule of the scene's own is gone.
+    RemoveConstraint {
+        /// Which one.
+        constraint: ConstraintRef,
+    },
+}
+
+/// A rule of a scene's own that is there already.
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
+pub enum ConstraintRef {
+    /// By its name.
+    Name(String),
+    /// By its number: those of the scene count from 0, and those that changes added go on
+    /// from there, in the order of their times and in the order of the list.
+    Index(u32),
 }

@@ -1,7 +1,8 @@
 //! Why a change contradicts the world: what was found, what was expected.
 
 use super::apply::{Reason, Taken};
-use super::{MAX_CHANGES, MAX_DELAY, MAX_TIME};
+use super::{ConstraintRef, MAX_CHANGES, MAX_DELAY, MAX_TIME};
+use crate::constraint::MAX_CONSTRAINTS;
 use crate::{Cell, Grid, MAX_AGENTS, MAX_CAPACITY, tr, tr_later};
 
 fn reason(found: impl Into<String>, expected: impl Into<String>) -> Reason {
@@ -194,4 +195,28 @@ pub(super) fn shared_goal(cell: Cell, a: &str, b: &str) -> Reason {
         tr!("{cell} as the goal of both {a} and {b}", cell, a, b),
         tr_later!("different goals, since robots stay at their goals"),
     )
+}
+
+pub(super) fn too_many_constraints() -> Reason {
+    reason(
+        tr_later!("one more rule"),
+        tr!("at most {most}", most = MAX_CONSTRAINTS),
+    )
+}
+
+pub(super) fn unknown_constraint(which: &ConstraintRef) -> Reason {
+    let found = match which {
+        ConstraintRef::Name(name) => tr!("the unknown rule '{name}'", name),
+        ConstraintRef::Index(index) => tr!("the unknown rule number {n}", n = index),
+    };
+    reason(found, tr_later!("a rule that is there"))
+}
+
+pub(super) fn constraint_name(name: &str) -> Reason {
+    let found = if name.is_empty() {
+        tr!("an empty name").to_owned()
+    } else {
+        tr!("the name '{name}' of another rule", name)
+    };
+    reason(found, tr_later!("a name of its own"))
 }

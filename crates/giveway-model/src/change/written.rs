@@ -6,10 +6,10 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::{Change, What};
+use super::{Change, ConstraintRef, What};
 use crate::object::{one_of, unknown_key};
 use crate::object_only;
-use crate::{Agent, Cell, tr};
+use crate::{Agent, Cell, Constraint, tr};
 
 /// All keys that a change may have.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -31,6 +31,12 @@ pub(super) struct Written {
     level: Option<u32>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     steps: Option<u32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    constraint: Option<Constraint>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    index: Option<u32>,
 }
 
 object_only!(Written);
@@ -53,9 +59,11 @@ enum Kind {
     DropWaypoint,
     SetBattery,
     DelayAgent,
+    AddConstraint,
+    RemoveConstraint,
 }
 
-const KINDS: [(&str, Kind); 14] = [
+const KINDS: [(&str, Kind); 16] = [
     ("add-agent", Kind::AddAgent),
     ("remove-agent", Kind::RemoveAgent),
     ("add-obstacle", Kind::AddObstacle),
@@ -70,6 +78,8 @@ const KINDS: [(&str, Kind); 14] = [
     ("drop-waypoint", Kind::DropWaypoint),
     ("set-battery", Kind::SetBattery),
     ("delay-agent", Kind::DelayAgent),
+    ("add-constraint", Kind::AddConstraint),
+    ("remove-constraint", Kind::RemoveConstraint),
 ];
 
 impl<'de> Deserialize<'de> for Kind {
@@ -184,6 +194,23 @@ impl Keys {
                 agent: self.name()?,
                 steps: self.0.steps.take().ok_or_else(|| missing("steps"))?,
             },
+            Kind::AddConstraint => What::AddConstraint {
+                constraint: self
+                    .0
+                    .constraint
+                    .take()
+                    .ok_or_else(|| missing("constraint"))?,
+            },
+            Kind::RemoveConstraint => What::RemoveConstraint {
+                constraint: match (self.0.name.take(), self.0.index) {
+                    (Some(name), _) => ConstraintRef::Name(name),
+                    (None, Some(index)) => {
+                        self.0.index = None;
+                        ConstraintRef::Index(index)
+                    }
+                    (None, None) => return Err(missing("name")),
+                },
+            },
         })
     }
 
@@ -196,6 +223,9 @@ impl Keys {
             ("to", self.0.to.is_some()),
             ("level", self.0.level.is_some()),
             ("steps", self.0.steps.is_some()),
+            ("constraint", self.0.constraint.is_some()),
+            ("name", self.0.name.is_some()),
+            ("index", self.0.index.is_some()),
         ];
         left.iter().find(|(_, is)| *is).map(|&(key, _)| key)
     }
@@ -241,6 +271,9 @@ impl From<Change> for Written {
             to: None,
             level: None,
             steps: None,
+            constraint: None,
+            name: None,
+            index: None,
         };
         let of = |kind, agent: String| Self {
             agent: Some(Whom::Name(agent)),
@@ -285,6 +318,20 @@ impl From<Change> for Written {
             What::DelayAgent { agent, steps } => Self {
                 steps: Some(steps),
                 ..of(Kind::DelayAgent, agent)
+            },
+            What::AddConstraint { constraint } => Self {
+                constraint: Some(constraint),
+                ..empty(Kind::AddConstraint)
+            },
+            What::RemoveConstraint { constraint } => match constraint {
+                ConstraintRef::Name(name) => Self {
+                    name: Some(name),
+                    ..empty(Kind::RemoveConstraint)
+                },
+                ConstraintRef::Index(index) => Self {
+                    index: Some(index),
+                    ..empty(Kind::RemoveConstraint)
+                },
             },
         }
     }

@@ -31,6 +31,7 @@ pub use over_time::{
     check_changes, check_history, costs_over_time, costs_until, level_at as level_over_time,
     levels as levels_over_time,
 };
+pub(crate) use over_time::{penalty_until, waits_on_end};
 pub(crate) use steps::{Step, steps};
 pub(crate) use walk::Walk;
 

@@ -25,16 +25,40 @@ pub(crate) fn find(scene: &Scene, grid: &Grid, faults: &mut Vec<Fault>) {
         if let Some(name) = &constraint.name {
             check_name(name, (i, &place, "constraints"), &mut names, faults);
         }
-        let mut check = Check {
-            scene,
+        let world = World {
+            is_agent: &|name| scene.agents.iter().any(|agent| agent.name == name),
+            zones: &scene.zones,
             grid,
-            place,
-            faults,
         };
-        check.agents(constraint);
-        check.times(constraint);
-        check.kind(constraint);
+        check(constraint, &world, place, faults);
     }
+}
+
+/// What a constraint may name.
+pub(crate) struct World<'a> {
+    /// Whether an agent of a name is there.
+    pub(crate) is_agent: &'a dyn Fn(&str) -> bool,
+    /// The zones.
+    pub(crate) zones: &'a [Zone],
+    /// The map.
+    pub(crate) grid: &'a Grid,
+}
+
+/// Finds the faults of one constraint, but for its name.
+pub(crate) fn check(
+    constraint: &Constraint,
+    world: &World<'_>,
+    place: String,
+    faults: &mut Vec<Fault>,
+) {
+    let mut check = Check {
+        world,
+        place,
+        faults,
+    };
+    check.agents(constraint);
+    check.times(constraint);
+    check.kind(constraint);
 }
 
 /// Notes numbers of things that are too large, and that nothing else was looked at.
@@ -156,8 +180,7 @@ fn off_map(cell: Cell, grid: &Grid, place: &str) -> Option<Fault> {
 
 /// The faults of one constraint.
 struct Check<'a> {
-    scene: &'a Scene,
-    grid: &'a Grid,
+    world: &'a World<'a>,
     place: String,
     faults: &'a mut Vec<Fault>,
 }
@@ -188,7 +211,7 @@ impl Check<'_> {
     }
 
     fn agent(&mut self, key: &str, name: &str) {
-        if !self.scene.agents.iter().any(|agent| agent.name == name) {
+        if !(self.world.is_agent)(name) {
             let found = tr!("the unknown robot \"{name}\"", name);
             self.fault(key, found, tr_later!("a robot of the scene"));
         }
@@ -226,7 +249,7 @@ impl Check<'_> {
     }
 
     fn zone(&mut self, name: &str) {
-        if !self.scene.zones.iter().any(|zone| zone.name == name) {
+        if !self.world.zones.iter().any(|zone| zone.name == name) {
             let found = tr!("the unknown zone \"{name}\"", name);
             self.fault("zone", found, tr_later!("a zone of the scene"));
         }
@@ -235,11 +258,11 @@ impl Check<'_> {
     /// A cell where an agent can be; whether it is one.
     fn cell(&mut self, key: &str, cell: Cell) -> bool {
         let place = format!("{}.{key}", self.place);
-        if let Some(fault) = off_map(cell, self.grid, &place) {
+        if let Some(fault) = off_map(cell, self.world.grid, &place) {
             self.faults.push(fault);
             return false;
         }
-        let is_free = self.grid.ground(cell) != Some(Ground::Obstacle);
+        let is_free = self.world.grid.ground(cell) != Some(Ground::Obstacle);
         if !is_free {
             let found = tr!("the obstacle {cell}", cell);
             self.fault(key, found, tr_later!("a free cell"));

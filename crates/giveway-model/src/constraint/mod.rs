@@ -12,6 +12,7 @@
 mod edited;
 mod faults;
 mod heading;
+mod timed;
 mod weaker;
 mod words;
 mod written;
@@ -23,8 +24,9 @@ use crate::condition::{Times, Visit};
 use crate::sorting::set;
 use crate::{Agent, Cell};
 
-pub(crate) use faults::find;
+pub(crate) use faults::{World, check, find};
 pub use heading::Heading;
+pub use timed::TimedConstraint;
 pub use words::sentences;
 pub use zone::Zone;
 
@@ -181,15 +183,28 @@ impl Constraint {
     /// The constraint as it holds among some agents; `None` where it is off, or none of
     /// those that it binds is there (of a precedence, where either is not).
     pub fn in_force(&self, index: usize, agents: &[Agent]) -> Option<InForce<'_>> {
-        let number = |name: &String| agents.iter().position(|agent| agent.name == *name);
+        self.in_force_among(
+            index,
+            &|name| agents.iter().position(|it| it.name == name),
+            || (0..agents.len()).collect(),
+        )
+    }
+
+    /// The same among agents that have numbers by their names; `all` are their numbers.
+    pub(crate) fn in_force_among(
+        &self,
+        index: usize,
+        number: &dyn Fn(&str) -> Option<usize>,
+        all: impl Fn() -> Vec<usize>,
+    ) -> Option<InForce<'_>> {
         let bound = match (&self.kind, &self.agents) {
             (ConstraintKind::Sequence { agent, .. }, _) => vec![number(agent)?],
             (ConstraintKind::Before { first, second }, _) => {
                 let (first, second) = (number(&first.agent)?, number(&second.agent)?);
                 Vec::from_iter(set([first, second]))
             }
-            (_, None) => (0..agents.len()).collect(),
-            (_, Some(names)) => Vec::from_iter(set(names.iter().filter_map(number))),
+            (_, None) => all(),
+            (_, Some(names)) => Vec::from_iter(set(names.iter().filter_map(|name| number(name)))),
         };
         let is_in_force = !self.off && !bound.is_empty();
         is_in_force.then_some(InForce {

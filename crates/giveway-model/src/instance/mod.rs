@@ -5,7 +5,7 @@ mod variant;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use start_state::{Breakdown, StartState};
+pub use start_state::{Breakdown, ClosedCell, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::{

@@ -5,9 +5,11 @@
 //! agent is, its battery level and the waypoints that it has still to visit stand in
 //! its [`Agent`]; the start state has the rest.
 
+use std::collections::BTreeMap;
+
 use super::Instance;
 use crate::sorting::map;
-use crate::{Agent, Cell, Grid};
+use crate::{Agent, Cell, Constraint, Grid};
 
 /// The state of an agent at time 0; by default it has done nothing yet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,6 +28,31 @@ pub struct StartState {
     /// How many wait steps on end at its start it made just before time 0, as far as
     /// they count for a condition on long waits.
     pub waits_begun: u32,
+    /// Rules of the scene's own, by number, about a zone that it is in: they do not count
+    /// it there until it has left.
+    pub uncounted: Vec<usize>,
+    /// Cells that are closed to it for what others did before time 0.
+    pub closed_cells: Vec<ClosedCell>,
+    /// How many time steps on end it has done before time 0 what a rule of the scene's own
+    /// counts, by the number of the rule: waits in a zone, times at a cell.
+    pub begun: BTreeMap<usize, u32>,
+    /// For how many time steps it has stood since its last move.
+    pub stood: u32,
+    /// Whether a rule about its arrival forbids it to stay where it rested.
+    pub must_go_on: bool,
+    /// What rules of the scene's own make it cost if it does not stay where it rested.
+    pub penalty_if_it_goes_on: u32,
+}
+
+/// A cell that is closed to an agent for what others did before time 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClosedCell {
+    /// The cell.
+    pub cell: Cell,
+    /// The last time at which it is closed; the largest number is for ever.
+    pub until: u32,
+    /// The number of the rule.
+    pub rule: usize,
 }
 
 /// A breakdown: until its end, the agent begins no move.
@@ -40,27 +67,48 @@ pub struct Breakdown {
 }
 
 /// The start state of an agent that has nothing behind it.
-static AT_REST: StartState = StartState {
-    transit_from: None,
-    breakdowns: Vec::new(),
-    rested: 0,
-    rested_awake: 0,
-    waits_begun: 0,
-};
+static AT_REST: StartState = StartState::nothing();
 
 impl StartState {
+    /// The state of an agent that has done nothing yet.
+    pub(crate) const fn nothing() -> Self {
+        Self {
+            transit_from: None,
+            breakdowns: Vec::new(),
+            rested: 0,
+            rested_awake: 0,
+            waits_begun: 0,
+            uncounted: Vec::new(),
+            closed_cells: Vec::new(),
+            begun: BTreeMap::new(),
+            stood: 0,
+            must_go_on: false,
+            penalty_if_it_goes_on: 0,
+        }
+    }
+
     /// The time before which the agent begins no move; 0 without a breakdown.
     pub fn not_before(&self) -> u32 {
         let ends = self.breakdowns.iter().map(|breakdown| breakdown.held);
         ends.max().unwrap_or(0)
     }
+
+    /// How many time steps on end it has done what a rule counts, by its number.
+    pub fn begun(&self, rule: usize) -> u32 {
+        self.begun.get(&rule).copied().unwrap_or(0)
+    }
 }
 
 impl Instance {
-    /// The same instance with another map and with agents that are half way through their
-    /// tasks. Two things that an instance promises may fail then: an agent in transit may
+    /// The same instance with another map and other rules, and with agents that are half way
+    /// through their tasks. Two things that an instance promises may fail then: an agent in transit may
     /// share its start, and a goal or a waypoint may be an obstacle, so that there is no plan.
-    pub(crate) fn resumed(&self, grid: Grid, agents: Vec<(Agent, StartState)>) -> Self {
+    pub(crate) fn resumed(
+        &self,
+        grid: Grid,
+        agents: Vec<(Agent, StartState)>,
+        constraints: Vec<Constraint>,
+    ) -> Self {
         let states = agents.iter();
         let start_states = map(states.map(|(agent, state)| (agent.name.clone(), state.clone())));
         Self {
@@ -71,7 +119,7 @@ impl Instance {
             agents: agents.into_iter().map(|(agent, _)| agent).collect(),
             assumptions: self.assumptions.clone(),
             zones: self.zones.clone(),
-            constraints: self.constraints.clone(),
+            constraints,
             start_states,
         }
     }

@@ -101,13 +101,6 @@ impl Instance {
         self.rules.at_goal = AtGoal::Vanish;
     }
 
-    /// Switches a rule of the scene's own off, by its number.
-    pub fn switch_off(&mut self, rule: usize) {
-        if let Some(rule) = self.constraints.get_mut(rule) {
-            rule.off = true;
-        }
-    }
-
     /// Gives a rule of the scene's own another kind, which asks for less, by its number.
     pub fn weaken_rule(&mut self, rule: usize, kind: ConstraintKind) {
         if let Some(rule) = self.constraints.get_mut(rule) {
@@ -131,6 +124,16 @@ impl Instance {
         let mut alone = self.clone();
         alone.constraints.clear();
         alone.with_rule(rule)
+    }
+
+    /// Leaves out rules of its own, by number, and what they count of the time before.
+    pub fn switch_off(&mut self, is_off: impl Fn(usize) -> bool) {
+        for (index, rule) in self.constraints.iter_mut().enumerate() {
+            rule.off |= is_off(index);
+        }
+        for state in self.start_states.values_mut() {
+            state.closed_cells.retain(|closed| !is_off(closed.rule));
+        }
     }
 
     /// Takes obstacles away.

@@ -96,7 +96,7 @@ impl RunningAgent {
             breakdowns: breakdowns(timeline, at),
             rested: at - rested_since,
             rested_awake: (rested_since..awake).filter(is_awake).count() as u32,
-            waits_begun: 0,
+            ..StartState::default()
         };
         let (path, charges) = trajectory.rest(at);
         let running = Self {

@@ -7,11 +7,13 @@
 //! of each time.
 
 mod agent;
+mod rules;
 mod whole;
 
 use crate::change::{History, Timeline, Trajectory};
 use crate::{Instance, Plan, sorting};
 pub use agent::RunningAgent;
+use rules::{RestOfRules, Resumed};
 
 /// A running plan at the time of a change.
 ///
@@ -59,8 +61,7 @@ impl<'a> Snapshot<'a> {
         plan: &'a Plan,
     ) -> Self {
         let trajectories = past.trajectories(plan, at);
-        let mut resumed = Vec::new();
-        let mut agents = Vec::new();
+        let mut resumed: Vec<Resumed<'_>> = Vec::new();
         for (index, timeline) in history.timelines().iter().enumerate() {
             if timeline.until.is_some() {
                 continue;
@@ -77,16 +78,28 @@ impl<'a> Snapshot<'a> {
                 None => None, // it has vanished
             };
             if let Some((agent, state, running)) = found {
-                resumed.push((agent, state));
-                agents.push(running);
+                resumed.push(Resumed {
+                    timeline,
+                    past: there.copied(),
+                    agent,
+                    state,
+                    running,
+                });
             }
+        }
+        let rules = RestOfRules::new(at, (past, history), plan, &resumed);
+        let constraints = rules.rewrite(&mut resumed);
+        let (mut states, mut agents) = (Vec::new(), Vec::new());
+        for it in resumed {
+            states.push((it.agent, it.state));
+            agents.push(it.running);
         }
         Self {
             at,
             past,
             history,
             plan,
-            instance: instance.resumed(history.grid(at).clone(), resumed),
+            instance: instance.resumed(history.grid(at).clone(), states, constraints),
             agents,
         }
     }

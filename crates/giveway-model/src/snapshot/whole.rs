@@ -2,7 +2,7 @@
 
 use super::{RunningAgent, Snapshot};
 use crate::change::{Timeline, Trajectory, Whereabouts};
-use crate::check::{Report, check_history, costs_until};
+use crate::check::{Report, check_history, costs_until, penalty_until};
 use crate::{Agent, Cell, Costs, Path, Plan};
 
 impl Snapshot<'_> {
@@ -67,6 +67,7 @@ impl Snapshot<'_> {
             whole.charges += spent.charges;
             whole.moves += spent.moves;
             whole.waits += spent.waits;
+            whole.penalty = whole.penalty.saturating_add(spent.penalty);
         };
         for (agent, running) in self.instance.agents().iter().zip(&self.agents) {
             if rest.paths.contains_key(&agent.name) {
@@ -77,7 +78,10 @@ impl Snapshot<'_> {
             let is_gone = timeline.until.is_none() && self.number(timeline).is_none();
             let gone = is_gone.then(|| Trajectory::of(self.history, timeline, self.plan));
             if let Some(gone) = gone.flatten() {
-                add(gone.end(), &costs_until(self.history, &gone, gone.end()));
+                let end = gone.end();
+                let mut spent = costs_until(self.history, &gone, end);
+                spent.penalty = penalty_until(self.history, self.plan, timeline.name(), end);
+                add(end, &spent);
             }
         }
         whole

@@ -89,6 +89,7 @@ fn listed(changing: &Changing, what: &What) -> Listed {
             }
             What::SetSlow { .. } | What::SetNormal { .. } => "slow",
             What::AddCharger { .. } | What::RemoveCharger { .. } => "charger",
+            What::AddConstraint { .. } | What::RemoveConstraint { .. } => "lock",
             _ => "agent",
         },
         text,

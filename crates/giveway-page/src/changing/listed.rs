@@ -170,6 +170,8 @@ pub(super) fn whose(what: &What) -> Option<&str> {
         | What::SetSlow { .. }
         | What::SetNormal { .. }
         | What::AddCharger { .. }
-        | What::RemoveCharger { .. } => None,
+        | What::RemoveCharger { .. }
+        | What::AddConstraint { .. }
+        | What::RemoveConstraint { .. } => None,
     }
 }

@@ -1,6 +1,6 @@
 //! Changes and methods in words.
 
-use giveway_model::change::What;
+use giveway_model::change::{ConstraintRef, What};
 use giveway_model::words::and;
 use giveway_model::{Cell, tr};
 use giveway_solve::change::Method;
@@ -88,6 +88,17 @@ pub fn sentence(what: &What) -> (String, Option<String>) {
                 agent
             )
         }
+        What::AddConstraint { constraint } => {
+            let sentence = constraint.sentence();
+            return match &constraint.name {
+                Some(name) => (tr!("New rule '{name}'", name), Some(sentence)),
+                None => (tr!("New rule: {sentence}", sentence), None),
+            };
+        }
+        What::RemoveConstraint { constraint } => match constraint {
+            ConstraintRef::Name(name) => tr!("Rule '{name}' removed", name),
+            ConstraintRef::Index(index) => tr!("Rule number {n} removed", n = index),
+        },
     };
     (told, None)
 }

@@ -1,7 +1,7 @@
 //! Rules that an agent keeps by itself, as parts of its task.
 
 use giveway_model::{
-    Cell, Cost,
+    Cell, Cost, StartState,
     condition::Times,
     constraint::{ConstraintKind, InForce, meant},
     sorting::sort,
@@ -11,8 +11,8 @@ use super::OwnRules;
 use crate::{
     AgentId,
     single::{
-        Act, Area, Counter, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay, Task,
-        Turns, has_to_be_at,
+        Act, Area, Counter, Entry, Forbidden, Left, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty,
+        Stay, Task, Turns, has_to_be_at,
     },
     terrain::{Arc, Terrain, Vertex},
 };
@@ -26,6 +26,7 @@ impl OwnRules<'_> {
         terrain: &Terrain,
     ) -> Result<(), NoPlanAlone> {
         let rests = self.rests(agent);
+        let state = self.state(agent);
         match &rule.constraint.kind {
             ConstraintKind::Capacity {
                 zone,
@@ -33,7 +34,19 @@ impl OwnRules<'_> {
                 times,
             }
             | ConstraintKind::Closed { zone, times } => {
-                close(task, terrain, &self.area(zone), (meant(*times), rests));
+                let (area, times) = (self.area(zone), meant(*times));
+                if state.uncounted.contains(&rule.index) {
+                    let arcs = slow_arcs(terrain, &area);
+                    task.conditions.counters.push(Counter::Left(Left {
+                        rule: rule.index,
+                        area,
+                        arcs,
+                        closed: Some(times),
+                        rests,
+                    }));
+                } else {
+                    close(task, terrain, &area, (times, rests));
+                }
             }
             ConstraintKind::OneWay { lane } => {
                 let back = lane.windows(2).filter_map(|pair| match *pair {
@@ -58,16 +71,10 @@ impl OwnRules<'_> {
                     steps: *stay,
                     times: meant(*times),
                     rests: rests && task.may_rest_at(at),
+                    begun: state.begun(rule.index).min(*stay),
                 }));
             }
-            ConstraintKind::Arrive { times } => {
-                if let Some(from) = times.from.filter(|&from| from > 0) {
-                    task.conditions.counters.push(Counter::Entry { from });
-                }
-                if let Some(by) = meant(*times).to {
-                    task.conditions.limit(Cost::Makespan, by);
-                }
-            }
+            ConstraintKind::Arrive { times } => self.arrive(agent, meant(*times), task),
             ConstraintKind::Depart { from } => {
                 task.earliest_move = task.earliest_move.max(*from);
             }
@@ -93,7 +100,8 @@ impl OwnRules<'_> {
                     at: Some(self.area(zone)),
                     times: Times::default(),
                     steps: most.saturating_add(1),
-                    begun: 0,
+                    begun: state.begun(rule.index).min(*most),
+                    held: state.not_before(),
                 }));
             }
             ConstraintKind::Turns { quarter } => self.turn(agent, task, *quarter),
@@ -106,11 +114,70 @@ impl OwnRules<'_> {
                 task.penalties.push(penalty);
             }
             // Between agents.
+            ConstraintKind::Capacity { zone, .. } if state.uncounted.contains(&rule.index) => {
+                let area = self.area(zone);
+                let arcs = slow_arcs(terrain, &area);
+                task.conditions.counters.push(Counter::Left(Left {
+                    rule: rule.index,
+                    area,
+                    arcs,
+                    closed: None,
+                    rests,
+                }));
+            }
             ConstraintKind::Capacity { .. }
             | ConstraintKind::Gap { .. }
             | ConstraintKind::Apart { .. } => {}
         }
         Ok(())
+    }
+
+    pub(super) fn state(&self, agent: AgentId) -> &StartState {
+        let agent = self.instance.agents().get(agent);
+        let name = agent.map_or("", |agent| agent.name.as_str());
+        self.instance.start_state(name)
+    }
+
+    /// Makes an agent arrive at some of these times. One that arrived before time 0 may stay,
+    /// where that was allowed; with no time left it must.
+    fn arrive(&self, agent: AgentId, times: Times, task: &mut Task) {
+        let state = self.state(agent);
+        let has_rested = task.cost_if_it_leaves_goal > 0;
+        let may_stay = has_rested && !state.must_go_on;
+        let is_past = times.first() > times.last();
+        if is_past {
+            task.conditions.limit(Cost::Makespan, 0);
+            if !may_stay {
+                task.not_before = task.not_before.max(1);
+            }
+            return;
+        }
+        if times.first() > 0 || has_rested {
+            task.conditions.counters.push(Counter::Entry(Entry {
+                from: times.first(),
+                stood: has_rested,
+                may_stay,
+            }));
+        }
+        if let Some(by) = times.to {
+            task.conditions.limit(Cost::Makespan, by);
+        }
+    }
+
+    /// What happened before time 0, as far as rules keep an agent from something for it.
+    pub(super) fn impose_past(&self, agent: AgentId, task: &mut Task, terrain: &Terrain) {
+        let state = self.state(agent);
+        for closed in &state.closed_cells {
+            if let Some(v) = terrain.vertex(closed.cell) {
+                let to = (closed.until < u32::MAX).then_some(closed.until);
+                let times = Times { from: None, to };
+                forbid(task, Act::Stand(Area::One(v)), times);
+            }
+        }
+        if state.penalty_if_it_goes_on > 0 && task.cost_if_it_leaves_goal > 0 {
+            let penalty = Penalty::GoingOn(state.penalty_if_it_goes_on);
+            task.penalties.push(penalty);
+        }
     }
 
     /// Whether an agent stays where it arrives.
@@ -128,9 +195,14 @@ impl OwnRules<'_> {
                 return;
             }
         }
+        let begun = self.state(agent).stood;
         let agent = self.instance.agents().get(agent);
         let heading = agent.and_then(|agent| agent.heading);
-        let turns = Turns { quarter, heading };
+        let turns = Turns {
+            quarter,
+            heading,
+            begun,
+        };
         task.conditions.counters.push(Counter::Turns(turns));
     }
 
@@ -142,10 +214,14 @@ impl OwnRules<'_> {
             matches!(counter, Counter::Stay(stay) if task.may_rest_at(stay.at)
                 && (stay.steps > 0 || stay.times.first() > 0))
         };
-        let has_entry = |counter: &Counter| matches!(counter, Counter::Entry { .. });
+        let has_entry = |counter: &Counter| matches!(counter, Counter::Entry(_));
         if !self.rests(agent) && counters.iter().any(stays_there) && !counters.iter().any(has_entry)
         {
-            task.conditions.counters.push(Counter::Entry { from: 0 });
+            task.conditions.counters.push(Counter::Entry(Entry {
+                from: 0,
+                stood: false,
+                may_stay: false,
+            }));
         }
     }
 }
@@ -193,13 +269,7 @@ pub(super) fn keep_off(
 fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times, bool)) {
     keep_off(task, terrain, area, (times, rests));
     // Half way along a slow arc it is at both ends: a step after it began to cross.
-    let touches = |id: u32| {
-        let (from, to) = terrain.ends(id);
-        area.has(from) || area.has(to)
-    };
-    let arcs = (0..terrain.size() as Vertex).flat_map(|v| terrain.arcs(v));
-    let slow = arcs.filter(|arc| arc.slow && touches(arc.id));
-    let arcs = sorted(slow.map(|arc| arc.id));
+    let arcs = slow_arcs(terrain, area);
     let to = times.to.map(|to| to.checked_sub(1));
     if !arcs.is_empty() && to != Some(None) {
         let times = Times {
@@ -208,6 +278,18 @@ fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times
         };
         forbid(task, Act::Cross(arcs), times);
     }
+}
+
+/// The slow arcs with an end in an area, in ascending order; an agent in transit at time 0
+/// is on such an arc, too.
+fn slow_arcs(terrain: &Terrain, area: &Area) -> Vec<u32> {
+    let touches = |id: u32| {
+        let (from, to) = terrain.ends(id);
+        area.has(from) || area.has(to)
+    };
+    let arcs = (0..terrain.size() as Vertex).flat_map(|v| terrain.arcs(v));
+    let slow = arcs.filter(|arc| arc.slow && touches(arc.id));
+    sorted(slow.map(|arc| arc.id))
 }
 
 pub(super) fn forbid(task: &mut Task, act: Act, times: Times) {

@@ -10,7 +10,7 @@ use super::OwnRules;
 use crate::{
     AgentId,
     single::{Area, Place},
-    terrain::{Terrain, Vertex},
+    terrain::{NO_VERTEX, Terrain, Vertex},
 };
 
 /// All rules between agents.
@@ -27,6 +27,8 @@ pub struct Shared {
     pub index: usize,
     /// Whether it binds an agent, by number.
     pub members: Vec<bool>,
+    /// The agents that it does not count in its area until they have left it, ascending.
+    pub uncounted: Vec<AgentId>,
     /// What it demands of them.
     pub kind: SharedKind,
 }
@@ -92,6 +94,14 @@ impl OwnRules<'_> {
             members: (0..agents)
                 .map(|agent| rule.agents.contains(&agent))
                 .collect(),
+            uncounted: {
+                let agents = rule.agents.iter().copied();
+                let is_uncounted = |&agent: &AgentId| {
+                    let state = self.state(agent);
+                    state.uncounted.contains(&rule.index)
+                };
+                agents.filter(is_uncounted).collect()
+            },
             kind,
         })
     }
@@ -101,6 +111,11 @@ impl Shared {
     /// Whether it binds an agent.
     pub fn binds(&self, agent: AgentId) -> bool {
         self.members.get(agent) == Some(&true)
+    }
+
+    /// Whether it does not count an agent in its area until that has left it.
+    pub fn begins_uncounted(&self, agent: AgentId) -> bool {
+        self.uncounted.contains(&agent)
     }
 
     /// The times that it names.
@@ -159,6 +174,8 @@ pub fn touched(terrain: &Terrain, place: Place) -> impl Iterator<Item = Vertex> 
             (to, Some(from))
         }
     };
+    // (In transit at time 0, it may come from a cell that is an obstacle now.)
+    let other = other.filter(|&from| from != NO_VERTEX);
     std::iter::once(one).chain(other)
 }
 

@@ -85,6 +85,7 @@ impl<'i> OwnRules<'i> {
         }
         self.heed_moving(agent, task, terrain);
         self.ask_for_entry(agent, task);
+        self.impose_past(agent, task, terrain);
         join_lanes(task);
         Ok(())
     }

@@ -100,6 +100,10 @@ impl<'p> RuleTable<'p> {
 
     fn change(&mut self, agent: AgentId, walk: &[Place], adds: bool) {
         let problem = self.problem;
+        let rules = problem.between.rules.iter();
+        let counted: Vec<usize> = rules
+            .map(|rule| self.counted_from(rule, agent, walk))
+            .collect();
         for (&place, time) in walk.iter().zip(0..) {
             let is_at = matches!(place, Place::At(_));
             for v in touched(&problem.terrain, place) {
@@ -109,8 +113,10 @@ impl<'p> RuleTable<'p> {
                     adds,
                 );
             }
-            for (rule, zone) in problem.between.rules.iter().zip(&mut self.zones) {
+            let rules = problem.between.rules.iter().zip(&counted);
+            for ((rule, &counted), zone) in rules.zip(&mut self.zones) {
                 if let Some(area) = limited(rule, agent)
+                    && counted <= time as usize
                     && touched(&problem.terrain, place).any(|v| area.has(v))
                 {
                     let passing = zone.passing.entry(time).or_default();
@@ -130,8 +136,10 @@ impl<'p> RuleTable<'p> {
             } else {
                 rests.retain(|&(_, other)| other != agent);
             }
-            for (rule, zone) in problem.between.rules.iter().zip(&mut self.zones) {
-                if limited(rule, agent).is_some_and(|area| area.has(end)) {
+            let rules = problem.between.rules.iter().zip(&counted);
+            for ((rule, &counted), zone) in rules.zip(&mut self.zones) {
+                let has_left = counted < walk.len();
+                if has_left && limited(rule, agent).is_some_and(|area| area.has(end)) {
                     put(&mut zone.resting, (from, agent), adds);
                 }
             }
@@ -147,6 +155,28 @@ impl<'p> RuleTable<'p> {
                 };
             }
         }
+    }
+
+    /// The time from which on a rule with a limit counts an agent: before, it has not left
+    /// the area in which it was at first.
+    fn counted_from(&self, rule: &Shared, agent: AgentId, walk: &[Place]) -> usize {
+        match limited(rule, agent) {
+            Some(area) if rule.begins_uncounted(agent) => {
+                let is_outside = |&place: &Place| {
+                    let mut touched = touched(&self.problem.terrain, place);
+                    !touched.any(|v| area.has(v))
+                };
+                walk.iter().position(is_outside).unwrap_or(walk.len())
+            }
+            _ => 0,
+        }
+    }
+
+    /// Whether a rule does not count an agent that has been in its area at all times up to
+    /// one, when its mask was this.
+    fn is_uncounted(&self, rule: &Shared, agent: AgentId, mask: Mask) -> bool {
+        let task = &self.problem.tasks[agent];
+        rule.begins_uncounted(agent) && task.is_uncounted(mask, rule.index)
     }
 
     /// The agents that an agent must not be there with.
@@ -165,13 +195,19 @@ impl<'p> RuleTable<'p> {
 
     fn met_by_rule(&self, number: usize, rule: &Shared, here: Presence, met: &mut Vec<AgentId>) {
         let Presence {
-            agent, time, place, ..
+            agent,
+            time,
+            place,
+            before,
         } = here;
         let terrain = &self.problem.terrain;
         let is_other = |other: &AgentId| *other != agent && rule.binds(*other);
         match &rule.kind {
             SharedKind::Capacity { area, most, times } => {
-                if times.contains(time) && touched(terrain, place).any(|v| area.has(v)) {
+                if times.contains(time)
+                    && touched(terrain, place).any(|v| area.has(v))
+                    && !self.is_uncounted(rule, agent, before)
+                {
                     let inside = self.zones[number].at(time).filter(is_other);
                     let inside: Vec<AgentId> = inside.collect();
                     if inside.len() >= *most as usize {
@@ -263,7 +299,9 @@ impl<'p> RuleTable<'p> {
             }
             let is_other = |other: &AgentId| *other != agent && rule.binds(*other);
             match &rule.kind {
-                SharedKind::Capacity { area, most, times } if area.has(v) => {
+                SharedKind::Capacity { area, most, times }
+                    if area.has(v) && !self.is_uncounted(rule, agent, mask) =>
+                {
                     let zone = &self.zones[number];
                     for at in later(zone.changes_after(time + 1), time + 1, *times) {
                         let inside: Vec<AgentId> = zone.at(at).filter(is_other).collect();

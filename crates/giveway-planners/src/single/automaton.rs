@@ -261,10 +261,10 @@ impl Automaton {
         self.counters.is_empty() && self.last_time_of_ways().is_none()
     }
 
-    /// The counts at the time at which it is at a vertex for the first time; `None`
-    /// where being there is forbidden.
-    pub fn first_counts(&self, at: Vertex, now: u32) -> Option<Mask> {
-        self.counted(0, |counter, _| counter.first(at, now))
+    /// The counts at time 0 of an agent at a vertex, or in transit; `None` where being there
+    /// is forbidden.
+    pub fn first_counts(&self, at: Option<Vertex>) -> Option<Mask> {
+        self.counted(0, |counter, _| counter.first(at))
     }
 
     /// The counts of a mask after a time step; `None` where the step is forbidden.

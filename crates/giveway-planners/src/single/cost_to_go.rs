@@ -280,7 +280,10 @@ impl BackwardSearch<'_> {
             let before = mask.checked_sub(1);
             let u = before.and_then(|before| path.get(before as usize));
             let arc = terrain.arcs(v).iter().find(|arc| Some(&arc.to) == u);
-            if let (Some(before), Some(arc)) = (before, arc) {
+            if let (Some(before), Some(arc)) = (before, arc)
+                && self.task.may_cross(arc.id ^ 1, None)
+                && self.task.may_stand(arc.to, before, None)
+            {
                 let cost = cost + self.metric.of_move(arc.slow);
                 let before = (arc.to, heading, before);
                 self.step_back(before, cost, need, 1 + u32::from(arc.slow));

@@ -21,14 +21,39 @@ pub enum Counter {
     /// Where it faces, and how long it has stood.
     Turns(Turns),
     /// Whether it has waited where it is: it arrives by entering, and not before a time.
-    Entry {
-        /// The time.
-        from: u32,
-    },
+    Entry(Entry),
     /// Whether it has been at a vertex.
     Visited(Vertex),
     /// Whether it has been at the first vertex; it must not be at the second up to then.
     Order(Vertex, Vertex),
+    /// Whether it has left an area that it is in at time 0.
+    Left(Left),
+}
+
+/// An arrival by entering, not before a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The time.
+    pub from: u32,
+    /// Whether it stands where it starts since before time 0.
+    pub stood: bool,
+    /// Whether it may stay where it starts: it arrived before time 0.
+    pub may_stay: bool,
+}
+
+/// An area in which a rule of a scene's own does not count an agent until it has left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Left {
+    /// The number of the rule.
+    pub rule: usize,
+    /// The area.
+    pub area: Area,
+    /// The slow arcs with an end in it, in ascending order.
+    pub arcs: Vec<u32>,
+    /// When it may not come back; `None` where others decide that.
+    pub closed: Option<Times>,
+    /// Whether the agent stays where it arrives.
+    pub rests: bool,
 }
 
 /// So many wait steps on end at a vertex, or anywhere, that begin within some times.
@@ -42,6 +67,8 @@ pub struct LongWait {
     pub steps: u32,
     /// How many of them were made before time 0 already, fewer than that number.
     pub begun: u32,
+    /// Wait steps that begin before this time are those of a breakdown: they do not count.
+    pub held: u32,
 }
 
 /// A stay at a vertex for some steps, within some times.
@@ -55,6 +82,8 @@ pub struct Stay {
     pub times: Times,
     /// Whether the agent stays where it arrives, so that resting there counts.
     pub rests: bool,
+    /// For how many time steps on end it was there just before time 0, no more than `steps`.
+    pub begun: u32,
 }
 
 /// Turns that take time.
@@ -64,6 +93,8 @@ pub struct Turns {
     pub quarter: u32,
     /// Where it faces at time 0; anywhere where it is `None`.
     pub heading: Option<Heading>,
+    /// For how long it has stood before time 0.
+    pub begun: u32,
 }
 
 /// A time step of an agent, as counters see it.
@@ -87,6 +118,7 @@ impl LongWait {
 
     fn next(&self, run: u32, passage: Passage) -> Option<u32> {
         let run = match passage.from {
+            Place::At(_) if passage.from == passage.to && passage.now < self.held => run,
             Place::At(v) if passage.from == passage.to && self.counts(v, passage.now) => run + 1,
             Place::At(_) | Place::Along(_) => 0,
         };
@@ -118,13 +150,13 @@ impl Stay {
         if run == self.done() {
             return true;
         }
-        let begun = match run {
+        let until = match run {
             0 if now >= self.times.first() => return false, // it is not there, or too late
-            0 => self.times.first(),
-            // (Of joint states the time may be an earlier one, where no last time matters.)
-            run => now.saturating_add(1).saturating_sub(run),
+            0 => self.times.first().saturating_add(self.steps),
+            // (It may have begun before time 0.)
+            run => now.saturating_add(self.steps + 1).saturating_sub(run),
         };
-        self.rests && v == self.at && begun.saturating_add(self.steps) <= self.times.last()
+        self.rests && v == self.at && until <= self.times.last()
     }
 
     /// The steps that it still has to stand there, if not at rest.
@@ -135,25 +167,25 @@ impl Stay {
 
 impl Turns {
     /// The number of counts of how long it has stood.
-    const fn stood(self) -> u32 {
+    const fn most(self) -> u32 {
         self.quarter.saturating_mul(2).saturating_add(1)
     }
 
     fn digit(self, heading: Option<Heading>, stood: u32) -> u32 {
         let facing = heading.map_or(4, |heading| heading as u32);
-        facing * self.stood() + stood
+        facing * self.most() + stood
     }
 
     pub(super) fn facing(self, digit: u32) -> (Option<Heading>, u32) {
-        let facing = Heading::ALL.get((digit / self.stood()) as usize);
-        (facing.copied(), digit % self.stood())
+        let facing = Heading::ALL.get((digit / self.most()) as usize);
+        (facing.copied(), digit % self.most())
     }
 
     fn next(self, digit: u32, passage: Passage) -> Option<u32> {
         let (facing, stood) = self.facing(digit);
         let Some(heading) = passage.heading else {
             let waits = passage.from == passage.to;
-            let stood = (stood + u32::from(waits)).min(self.stood() - 1);
+            let stood = (stood + u32::from(waits)).min(self.most() - 1);
             return Some(self.digit(facing, stood));
         };
         let has_turned = stood >= self.turning(facing, heading);
@@ -181,7 +213,31 @@ impl Turns {
     /// The digit after so many more steps of standing.
     pub(crate) fn after_standing(self, digit: u32, steps: u32) -> u32 {
         let (facing, stood) = self.facing(digit);
-        self.digit(facing, stood.saturating_add(steps).min(self.stood() - 1))
+        self.digit(facing, stood.saturating_add(steps).min(self.most() - 1))
+    }
+}
+
+impl Left {
+    /// Whether a place is in the area.
+    pub fn has(&self, place: Place) -> bool {
+        match place {
+            Place::At(v) => self.area.has(v),
+            Place::Along(arc) => self.arcs.binary_search(&arc).is_ok(),
+        }
+    }
+
+    fn next(&self, has_left: u32, to: Place, now: u32) -> Option<u32> {
+        let is_inside = self.has(to);
+        let is_closed = self.closed.is_some_and(|times| times.contains(now));
+        let is_allowed = has_left == 0 || !is_inside || !is_closed;
+        is_allowed.then(|| has_left.max(u32::from(!is_inside)))
+    }
+
+    /// Whether it may rest at a vertex from a time on, the last one at which it is closed
+    /// being past.
+    fn may_end(&self, has_left: u32, v: Vertex, now: u32) -> bool {
+        let is_open = self.closed.is_none_or(|times| now > times.last());
+        has_left == 0 || !self.rests || !self.area.has(v) || is_open
     }
 }
 
@@ -192,22 +248,27 @@ impl Counter {
             Self::LongWait(wait) => wait.steps,
             Self::Sequence(stops) => stops.len() as u32 + 1,
             Self::Stay(stay) => stay.steps.saturating_add(2),
-            Self::Turns(turns) => turns.stood().saturating_mul(5),
-            Self::Entry { .. } | Self::Visited(_) | Self::Order(..) => 2,
+            Self::Turns(turns) => turns.most().saturating_mul(5),
+            Self::Entry(_) | Self::Visited(_) | Self::Order(..) | Self::Left(_) => 2,
         }
     }
 
-    /// The count at time 0 of an agent that is at a vertex then, or at a later time is
-    /// there first; `None` where that is forbidden.
-    pub fn first(&self, at: Vertex, now: u32) -> Option<u32> {
+    /// The count at time 0 of an agent that is at a vertex then, `None` where it is in
+    /// transit; `None` where that is forbidden.
+    pub fn first(&self, at: Option<Vertex>) -> Option<u32> {
         match self {
             Self::LongWait(wait) => Some(wait.begun),
-            Self::Sequence(_) => Some(self.after(0, at)),
-            Self::Stay(stay) => Some(stay.next(0, Place::At(at), now)),
-            Self::Turns(turns) => Some(turns.digit(turns.heading, 0)),
-            Self::Entry { .. } => Some(0),
-            Self::Visited(v) => Some(u32::from(*v == at)),
-            Self::Order(first, second) => (*second != at).then_some(u32::from(*first == at)),
+            Self::Sequence(_) => Some(at.map_or(0, |at| self.after(0, at))),
+            Self::Stay(stay) => Some(at.map_or(0, |at| stay.next(stay.begun, Place::At(at), 0))),
+            Self::Turns(turns) => {
+                Some(turns.digit(turns.heading, turns.begun.min(turns.most() - 1)))
+            }
+            Self::Entry(entry) => Some(u32::from(entry.stood)),
+            Self::Left(_) => Some(0),
+            Self::Visited(v) => Some(u32::from(at == Some(*v))),
+            Self::Order(first, second) => {
+                (at != Some(*second)).then_some(u32::from(at == Some(*first)))
+            }
         }
     }
 
@@ -232,7 +293,8 @@ impl Counter {
             }),
             Self::Stay(stay) => Some(stay.next(count, to, now + 1)),
             Self::Turns(turns) => turns.next(count, passage),
-            Self::Entry { .. } => Some(u32::from(from == to)),
+            Self::Entry(_) => Some(u32::from(from == to)),
+            Self::Left(left) => left.next(count, to, now + 1),
             Self::Visited(v) => Some(count.max(u32::from(to == Place::At(*v)))),
             Self::Order(first, second) => {
                 let is_allowed = count == 1 || to != Place::At(*second);
@@ -247,7 +309,8 @@ impl Counter {
             Self::LongWait(_) | Self::Turns(_) | Self::Visited(_) | Self::Order(..) => true,
             Self::Sequence(stops) => count as usize == stops.len(),
             Self::Stay(stay) => stay.is_made_at(count, v, now),
-            Self::Entry { from } => count == 0 && now >= *from,
+            Self::Entry(entry) => count == 0 && now >= entry.from || now == 0 && entry.may_stay,
+            Self::Left(left) => left.may_end(count, v, now),
         }
     }
 
@@ -260,18 +323,21 @@ impl Counter {
             | Self::LongWait(_)
             | Self::Sequence(_)
             | Self::Turns(_)
-            | Self::Entry { .. }
+            | Self::Entry(_)
             | Self::Visited(_)
-            | Self::Order(..) => 0,
+            | Self::Order(..)
+            | Self::Left(_) => 0,
         }
     }
 
     /// The last time that it is about, where it is about some.
     pub fn last_time(&self) -> Option<u32> {
         match self {
-            Self::LongWait(wait) => last_of(wait.times),
+            Self::LongWait(wait) => last_of(wait.times).max((wait.held > 0).then_some(wait.held)),
             Self::Stay(stay) => last_of(stay.times),
-            Self::Entry { from } => (*from > 0).then_some(*from),
+            // An arrival at time 0 may be one of before.
+            Self::Entry(entry) => (entry.from > 0 || entry.may_stay).then_some(entry.from),
+            Self::Left(left) => left.closed.and_then(last_of),
             Self::Sequence(_) | Self::Turns(_) | Self::Visited(_) | Self::Order(..) => None,
         }
     }

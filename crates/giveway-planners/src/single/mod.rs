@@ -16,7 +16,7 @@ mod tests;
 pub use area::Area;
 pub use automaton::{Act, Automaton, Forbidden, Part, Required};
 pub use cost_to_go::{CostToGo, Metric};
-pub use counter::{Counter, LongWait, Passage, Stay, Turns};
+pub use counter::{Counter, Entry, Left, LongWait, Passage, Stay, Turns};
 pub use earliest::earliest;
 pub use mdd::{Mdd, Node, NodeId, Place};
 pub use no_plan_alone::{NoPlanAlone, has_to_be_at};

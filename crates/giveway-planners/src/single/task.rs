@@ -43,6 +43,8 @@ pub enum Penalty {
         /// The cost of a step.
         weight: u32,
     },
+    /// Not to arrive at time 0 costs so much: it leaves where it rested before.
+    GoingOn(u32),
 }
 
 /// Where an agent may go.
@@ -223,9 +225,25 @@ impl Task {
 
     /// Whether it has been at a vertex that it has to visit, or of which it is noted.
     pub fn has_been(&self, mask: Mask, v: Vertex) -> bool {
-        let noted =
-            |(counter, count): (&Counter, u32)| count > 0 && *counter == Counter::Visited(v);
-        self.bit(v) & mask != 0 || self.conditions.counts_in(mask).any(noted)
+        let mut counts = self.conditions.counts_in(mask);
+        let noted = counts.find(|&(counter, _)| *counter == Counter::Visited(v));
+        noted.map_or_else(|| self.bit(v) & mask != 0, |(_, count)| count > 0)
+    }
+
+    /// Whether a rule does not count it in its zone, where it has been there at all times up
+    /// to the last one, of which the mask is.
+    pub fn is_uncounted(&self, mask: Mask, rule: usize) -> bool {
+        let mut counts = self.conditions.counts_in(mask);
+        counts.any(|(counter, count)| match counter {
+            Counter::Left(left) => left.rule == rule && count == 0,
+            Counter::LongWait(_)
+            | Counter::Sequence(_)
+            | Counter::Stay(_)
+            | Counter::Turns(_)
+            | Counter::Entry(_)
+            | Counter::Visited(_)
+            | Counter::Order(..) => false,
+        })
     }
 
     /// Makes a vertex a waypoint, where it is none; the set of it alone.
@@ -266,10 +284,11 @@ impl Task {
     pub fn last_time(&self) -> Option<u32> {
         let held = (self.earliest_move > 0).then_some(self.earliest_move);
         let late = self.penalties.iter().map(|penalty| match penalty {
-            Penalty::Late { by, .. } => *by,
-            Penalty::Avoid(..) => 0,
+            Penalty::Late { by, .. } => (*by > 0).then_some(*by),
+            Penalty::Avoid(..) => None,
+            Penalty::GoingOn(_) => Some(0),
         });
-        let late = late.max().filter(|&by| by > 0);
+        let late = late.max().flatten();
         self.conditions.last_time().max(held).max(late)
     }
 
@@ -281,7 +300,8 @@ impl Task {
                 if is_inside { *weight } else { 0 }
             }
             Penalty::Late { by, weight } if now >= *by => *weight,
-            Penalty::Late { .. } => 0,
+            Penalty::GoingOn(cost) if now == 0 => *cost,
+            Penalty::Late { .. } | Penalty::GoingOn(_) => 0,
         });
         each.fold(0, u32::saturating_add)
     }
@@ -293,6 +313,8 @@ impl Task {
             Penalty::Late { by, weight } => arrival
                 .saturating_sub(from.max(*by))
                 .saturating_mul(*weight),
+            Penalty::GoingOn(cost) if from == 0 && arrival > 0 => *cost,
+            Penalty::GoingOn(_) => 0,
         });
         each.fold(0, u32::saturating_add)
     }
@@ -300,7 +322,9 @@ impl Task {
     /// All its weights.
     pub fn weights(&self) -> impl Iterator<Item = u32> + '_ {
         self.penalties.iter().map(|penalty| match penalty {
-            Penalty::Avoid(_, weight) | Penalty::Late { weight, .. } => *weight,
+            Penalty::Avoid(_, weight) | Penalty::Late { weight, .. } | Penalty::GoingOn(weight) => {
+                *weight
+            }
         })
     }
 
@@ -398,7 +422,8 @@ impl Task {
 
     /// The state at time 0; `None` where a condition forbids it.
     pub fn first(&self) -> Option<State> {
-        let counts = self.conditions.first_counts(self.start, self.delay())?;
+        let at = self.transit.is_none().then_some(self.start);
+        let counts = self.conditions.first_counts(at)?;
         let mask = self.first_mask() | counts;
         let state = State {
             place: self.first_place(),

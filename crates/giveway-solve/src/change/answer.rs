@@ -1,6 +1,6 @@
 //! The answer: for each time, what each method makes of it.
 
-use giveway_model::{Cell, Costs, Version};
+use giveway_model::{Cell, Constraint, Costs, Version};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
@@ -27,6 +27,27 @@ pub struct Cause {
     pub held: Vec<String>,
     /// Whether one of the agents that block each other has a battery.
     pub has_batteries: bool,
+    /// The rule of the scene's own that leaves no plan, where it is one. Without it there
+    /// would be one; of several that leave none together, the first.
+    pub rule: Option<Box<CauseRule>>,
+}
+
+/// A rule of the scene's own as a cause.
+#[derive(Clone, Debug, PartialEq, Eq, borsh::BorshSerialize, borsh::BorshDeserialize)]
+pub struct CauseRule {
+    /// Its number, those that changes added after those of the scene.
+    pub index: u32,
+    /// The rule.
+    pub constraint: Constraint,
+}
+
+impl Serialize for CauseRule {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(None)?;
+        map.serialize_entry("index", &self.index)?;
+        map.serialize_entry("name", &self.constraint.name)?;
+        map.end()
+    }
 }
 
 impl Serialize for Cause {
@@ -37,6 +58,9 @@ impl Serialize for Cause {
         map.serialize_entry("cell", &self.cell)?;
         if !self.agents.is_empty() {
             map.serialize_entry("agents", &self.agents)?;
+        }
+        if let Some(rule) = &self.rule {
+            map.serialize_entry("rule", rule)?;
         }
         map.serialize_entry("within", &self.within)?;
         map.serialize_entry("text", &super::words::cause(self))?;
@@ -64,6 +88,8 @@ pub enum CauseKind {
     Goal,
     /// A waypoint off its path, or off its tunnel.
     Waypoint,
+    /// A rule of the scene's own that it cannot keep.
+    Rule,
     /// A battery that does not last.
     Battery,
     /// No way at all.

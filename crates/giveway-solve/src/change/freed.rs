@@ -120,10 +120,14 @@ impl MethodCase<'_, '_> {
         })
     }
 
-    /// Why an agent cannot even alone: an obstacle on the path that it is held to, its
-    /// battery where it could without one, or nothing that has a name.
+    /// Why an agent cannot even alone: an obstacle on the path that it is held to, a rule of
+    /// the scene's own or its battery where it could without, or nothing that has a name.
     fn alone(&self, number: usize, freed: &BTreeSet<usize>, bounds: Vec<Bounds>) -> MethodRefusal {
-        let none = |kind| MethodRefusal { kind, cell: None };
+        let none = |kind| MethodRefusal {
+            kind,
+            cell: None,
+            rule: None,
+        };
         let Some((agent, running)) = self.agent(number) else {
             return none(CauseKind::NoWay);
         };
@@ -131,6 +135,9 @@ impl MethodCase<'_, '_> {
             && !freed.contains(&number)
             && let Some(fault) = keep::obstacle(&running.cells(), &self.terrain())
         {
+            return fault;
+        }
+        if let Some(fault) = self.unkept_rule(number, &bounds) {
             return fault;
         }
         none(
@@ -163,7 +170,7 @@ impl MethodCase<'_, '_> {
     }
 
     /// Whether there is a plan with these agents freed.
-    fn exists(&self, freed: &BTreeSet<usize>) -> Result<Exists, Stop> {
+    pub(super) fn exists(&self, freed: &BTreeSet<usize>) -> Result<Exists, Stop> {
         if self.is_deadlocked(freed)? {
             return Ok(Exists::No { within: None });
         }
@@ -185,8 +192,8 @@ impl MethodCase<'_, '_> {
     }
 
     /// Whether the agents that keep to their old paths block each other for
-    /// good, all others and batteries aside: without waits of all of them at
-    /// once they would be done, or never, within two steps an edge.
+    /// good, all others, batteries and rules of the scene's own aside: without waits of
+    /// all of them at once they would be done, or never, within two steps an edge.
     ///
     /// # Errors
     /// When the budget is spent.
@@ -199,6 +206,7 @@ impl MethodCase<'_, '_> {
         let mut instance = self.snapshot.instance.clone();
         let names = sorting::set(held.iter().map(|&number| self.name(number)));
         instance.retain_agents(|agent| names.contains(agent.name.as_str()));
+        instance.switch_off(|_| true);
         let mut bounds = Vec::new();
         let mut steps = 1;
         for (i, (agent, running)) in held.iter().filter_map(|&it| self.agent(it)).enumerate() {
@@ -330,7 +338,7 @@ pub(super) struct Fewest {
 }
 
 /// Whether there is a plan.
-enum Exists {
+pub(super) enum Exists {
     Yes,
     /// None up to a latest arrival, or none at all.
     No {

@@ -16,6 +16,8 @@ use crate::{
 pub(super) struct MethodRefusal {
     pub(super) kind: CauseKind,
     pub(super) cell: Option<Cell>,
+    /// The number of the rule of the scene's own that it is.
+    pub(super) rule: Option<usize>,
 }
 
 impl MethodRefusal {
@@ -23,6 +25,7 @@ impl MethodRefusal {
         Self {
             kind,
             cell: Some(cell),
+            rule: None,
         }
     }
 }

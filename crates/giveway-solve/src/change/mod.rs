@@ -17,13 +17,14 @@ mod horizon;
 mod keep;
 mod method;
 mod request;
+mod rule;
 mod serve;
 pub(crate) mod words;
 
 #[cfg(test)]
 mod tests;
 
-pub use answer::{Cause, CauseKind, ChangeAnswer, MethodAnswer, Methods, Step};
+pub use answer::{Cause, CauseKind, CauseRule, ChangeAnswer, MethodAnswer, Methods, Step};
 pub use request::{ChangeRequest, Method, UnknownMethod};
 pub use serve::makespan_first;
 pub(crate) use serve::serve;

@@ -36,6 +36,7 @@ pub(crate) fn serve(request: &ChangeRequest, host: &dyn Host) -> Result<ChangeAn
         let applied = after.apply(at, &list, &plan);
         applied.map_err(|faults| Refusal::Changes { faults })?;
         let snapshot = Snapshot::new(at, &instance, (&history, &after), &plan);
+        let objective = snapshot.instance.in_force(objective.clone());
         let mut methods = Vec::new();
         for &method in &request.methods {
             let case = MethodCase {

@@ -16,7 +16,9 @@ pub(crate) fn cause(cause: &Cause) -> String {
         method,
         held,
         has_batteries,
+        rule,
     } = cause;
+    let rule = rule.as_ref().map(|rule| rule.constraint.called());
     let they = if held.len() == agents.len() {
         tr!("robots just named" => "they").to_owned()
     } else {
@@ -31,7 +33,14 @@ pub(crate) fn cause(cause: &Cause) -> String {
         Method::Tunnel(_) => tr!("in its tunnel"),
         Method::Replan => tr!("on any path"),
     };
+    if let (CauseKind::Blocked, Some(rule)) = (kind, &rule) {
+        return blocked_by_rule(cause, rule);
+    }
     match (kind, method) {
+        (CauseKind::Rule, _) => {
+            let rule = rule.unwrap_or_else(|| tr!("a rule").to_owned());
+            tr!("{agent} cannot keep {rule} {bounds}.", agent, rule, bounds)
+        }
         (CauseKind::Obstacle, Method::Replan) => {
             tr!(
                 "{agent} has to go to {place}, where there is an obstacle now.",
@@ -95,6 +104,28 @@ pub(crate) fn cause(cause: &Cause) -> String {
             robots = list(agents),
             they
         ),
+    }
+}
+
+/// A rule between agents that leaves no plan.
+fn blocked_by_rule(cause: &Cause, rule: &str) -> String {
+    let Cause { agent, agents, .. } = cause;
+    if agents.len() < 2 {
+        return tr!("{agent} cannot arrive and keep {rule}.", agent, rule);
+    }
+    let robots = list(agents);
+    match cause.method {
+        Method::Revise => tr!(
+            "{robots} cannot all arrive on their old paths and keep {rule}.",
+            robots,
+            rule
+        ),
+        Method::Tunnel(_) => tr!(
+            "{robots} cannot all arrive in their tunnels and keep {rule}.",
+            robots,
+            rule
+        ),
+        Method::Replan => tr!("{robots} cannot all arrive and keep {rule}.", robots, rule),
     }
 }
 

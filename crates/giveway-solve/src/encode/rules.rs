@@ -2,7 +2,8 @@
 //!
 //! Like collisions, they are written for the agents inside the SAT solver only, as their
 //! MDDs grow. A zone counts its agents at each time by a totalizer with no more outputs
-//! than its limit needs; gaps and distances exclude pairs of positions.
+//! than its limit needs; gaps and distances exclude pairs of positions. An agent that a zone
+//! does not count until it has left it has a literal for each time: that it has left by then.
 
 use std::collections::BTreeMap;
 
@@ -34,6 +35,8 @@ pub(crate) struct RuleClauses {
     visits: BTreeMap<Vertex, BTreeMap<u32, Positions>>,
     /// At a vertex or in transit to or from it, by time.
     touching: BTreeMap<(u32, Vertex), Positions>,
+    /// By rule and agent: it has left the zone by the times from 0 on.
+    left: BTreeMap<(usize, AgentId), Vec<Lit>>,
 }
 
 impl RuleClauses {
@@ -56,8 +59,15 @@ impl RuleClauses {
             }
             match &rule.kind {
                 SharedKind::Capacity { area, most, times } => {
-                    if times.contains(time) && touched(terrain, place).any(|v| area.has(v)) {
-                        self.count((number, time), *most, (agent, at), out)?;
+                    let is_inside = touched(terrain, place).any(|v| area.has(v));
+                    let left = rule
+                        .begins_uncounted(agent)
+                        .then(|| self.has_left((number, agent), time, out));
+                    if let (false, Some(left)) = (is_inside, left) {
+                        out.clause(&[!at, left]);
+                    }
+                    if is_inside && times.contains(time) {
+                        self.count((number, time), *most, (agent, at, left), out)?;
                     }
                 }
                 SharedKind::Gap { steps } => {
@@ -103,12 +113,28 @@ impl RuleClauses {
         Ok(())
     }
 
-    /// An agent is in the zone of a rule at a time, where the literal is true.
+    /// The literal "an agent has left the zone of a rule by a time".
+    fn has_left(&mut self, key: (usize, AgentId), time: u32, out: &mut impl Clauses) -> Lit {
+        let left = self.left.entry(key).or_default();
+        loop {
+            if let Some(&lit) = left.get(time as usize) {
+                return lit;
+            }
+            let next = out.fresh();
+            if let Some(&last) = left.last() {
+                out.clause(&[!last, next]);
+            }
+            left.push(next);
+        }
+    }
+
+    /// An agent is in the zone of a rule at a time, where the literals are true: that it is
+    /// there, and, where it is given, that it has left before.
     fn count(
         &mut self,
         key: (usize, u32),
         most: u32,
-        (agent, at): (AgentId, Lit),
+        (agent, at, left): (AgentId, Lit, Option<Lit>),
         out: &mut impl Clauses,
     ) -> Result<(), Stop> {
         let count = self.zones.entry(key).or_insert_with(|| Count {
@@ -123,7 +149,9 @@ impl RuleClauses {
             count.sum.add(&[inside], out)?;
             inside
         };
-        out.clause(&[!at, inside]);
+        let clause = [Some(!at), left.map(|left| !left), Some(inside)];
+        let clause: Vec<Lit> = clause.into_iter().flatten().collect();
+        out.clause(&clause);
         Ok(())
     }
 }

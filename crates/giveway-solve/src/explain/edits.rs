@@ -74,7 +74,7 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
             Edit::Vanish => after.let_agents_vanish(),
             // At the end, since rules that bind nobody any more go with it.
             Edit::LeaveOut { agent } => left_out.push(agent.as_str()),
-            Edit::SwitchOff { index, .. } => after.switch_off(*index as usize),
+            Edit::SwitchOff { index, .. } => after.switch_off(|other| other == *index as usize),
             Edit::AllowMore { index, most, .. } => {
                 weaken(&mut after, *index, |kind| kind.with_most(*most));
             }

@@ -232,7 +232,7 @@ pub(crate) fn without(
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
             Group::Floor => variant = variant.with_battery_floor(0),
-            Group::Constraint(rule) => variant.switch_off(rule),
+            Group::Constraint(rule) => variant.switch_off(|other| other == rule),
             Group::Breakdown(a, from) => {
                 if let Some(agent) = instance.agents().get(a) {
                     let state = variant.start_state_mut(&agent.name);

@@ -147,6 +147,7 @@ fn forbid(task: &mut Task, terrain: &Terrain, act: Kind, times: Times) {
                     times: Times { to, ..times },
                     steps,
                     begun: begun.min(steps - 1),
+                    held: 0,
                 }));
             }
             None

@@ -12,13 +12,17 @@ const NOWHERE: u32 = u32::MAX;
 
 /// What is remembered beside the agents' own states, as numbers of a joint state's key: the
 /// time, as far as rules between agents look at it; whether the first agent of each
-/// precedence has been at its vertex; and where each agent was 1, 2, ... steps ago, as far
-/// as gaps look back beyond the last step.
+/// precedence has been at its vertex; whether each agent that a zone does not count until it
+/// has left has left; and where each agent was 1, 2, ... steps ago, as far as gaps look back
+/// beyond the last step.
 pub(super) struct Memory {
     /// Later times are alike; `None` where all are.
     last: Option<u32>,
     /// The number of precedences.
     precedences: usize,
+    /// The rules with a limit that do not count an agent, by the number of the rule and the
+    /// agent's place in joint states.
+    uncounted: Vec<(usize, usize)>,
     /// The vertices remembered of each agent.
     trail: usize,
 }
@@ -31,6 +35,7 @@ impl Memory {
         (gap <= LONGEST_TRAIL).then(|| Self {
             last: between.last_time(),
             precedences: joint.problem.precedences.len(),
+            uncounted: joint.uncounted(),
             trail: gap.saturating_sub(1) as usize,
         })
     }
@@ -41,6 +46,7 @@ impl Memory {
         numbers.extend(
             (0..self.precedences).map(|number| u32::from(joint.is_first_there(number, state))),
         );
+        numbers.extend(self.left(joint, &vec![0; self.uncounted.len()], state));
         numbers.extend(std::iter::repeat_n(NOWHERE, self.trail * state.len()));
         numbers
     }
@@ -53,13 +59,15 @@ impl Memory {
         (before, after): (&[Single], &[Single]),
     ) -> Vec<u32> {
         let (time, numbers) = self.split(numbers);
-        let (been, trails) = numbers.split_at(self.precedences);
+        let (been, rest) = numbers.split_at(self.precedences);
+        let (left, trails) = rest.split_at(self.uncounted.len());
         let mut next = Vec::from_iter(self.last.map(|last| (time + 1).min(last + 1)));
         next.extend(
             been.iter()
                 .enumerate()
                 .map(|(number, &been)| been.max(u32::from(joint.is_first_there(number, after)))),
         );
+        next.extend(self.left(joint, left, after));
         if self.trail > 0 {
             for (trail, &single) in trails.chunks(self.trail).zip(before) {
                 next.push(Joint::stands(single).unwrap_or(NOWHERE));
@@ -85,17 +93,24 @@ impl Memory {
         (before, after): (&[Single], &[Single]),
     ) -> bool {
         let (time, numbers) = self.split(numbers);
-        let (been, trails) = numbers.split_at(self.precedences);
+        let (been, rest) = numbers.split_at(self.precedences);
+        let (left, trails) = rest.split_at(self.uncounted.len());
+        let left = self.left(joint, left, after);
+        let is_counted = |rule: usize, i: usize| self.is_counted(&left, (rule, i));
         joint.keeps_order(been, after)
-            && joint.rules().all(|rule| match rule.kind {
-                SharedKind::Gap { steps } => {
-                    let trail = |j: usize| trails.get(j * self.trail..(j + 1) * self.trail);
-                    joint.keeps_gap(rule, steps, (before, after), trail)
-                }
-                SharedKind::Capacity { .. } | SharedKind::Apart { .. } => {
-                    joint.keeps_now(rule, self.time_after(time), after)
-                }
-            })
+            && joint
+                .rules()
+                .enumerate()
+                .all(|(number, rule)| match rule.kind {
+                    SharedKind::Gap { steps } => {
+                        let trail = |j: usize| trails.get(j * self.trail..(j + 1) * self.trail);
+                        joint.keeps_gap(rule, steps, (before, after), trail)
+                    }
+                    SharedKind::Capacity { .. } | SharedKind::Apart { .. } => {
+                        let is_counted = |i| is_counted(number, i);
+                        joint.keeps_now(rule, self.time_after(time), after, is_counted)
+                    }
+                })
     }
 
     /// The time after one, as far as it matters.
@@ -105,14 +120,18 @@ impl Memory {
 
     /// Whether a state may be the first.
     pub(super) fn may_begin(&self, joint: &Joint<'_>, state: &[Single]) -> bool {
+        let left = self.left(joint, &vec![0; self.uncounted.len()], state);
         joint.keeps_order(&vec![0; self.precedences], state)
-            && joint.rules().all(|rule| joint.keeps_now(rule, 0, state))
+            && joint.rules().enumerate().all(|(number, rule)| {
+                joint.keeps_now(rule, 0, state, |i| self.is_counted(&left, (number, i)))
+            })
     }
 
     /// Whether agents that have all arrived may rest for ever.
     pub(super) fn may_end(&self, joint: &Joint<'_>, numbers: &[u32], state: &[Single]) -> bool {
-        let (time, _) = self.split(numbers);
+        let (time, numbers) = self.split(numbers);
         let Some(last) = self.last else { return true };
+        let left = numbers.get(self.precedences..).unwrap_or_default();
         // An agent that vanishes holds its vertex for this time only.
         let rest = state.iter().map(|single| match single {
             Single::Leaving(_) => Single::Arrived(None),
@@ -120,13 +139,65 @@ impl Memory {
         });
         let rest: Vec<Single> = rest.collect();
         let mut times = time + 1..=last + 1;
-        times.all(|time| joint.rules().all(|rule| joint.keeps_now(rule, time, &rest)))
+        times.all(|time| {
+            joint.rules().enumerate().all(|(number, rule)| {
+                joint.keeps_now(rule, time, &rest, |i| self.is_counted(left, (number, i)))
+            })
+        })
+    }
+
+    /// Whether each agent that a zone does not count has left it, in the state that follows.
+    fn left(&self, joint: &Joint<'_>, before: &[u32], after: &[Single]) -> Vec<u32> {
+        let pairs = self.uncounted.iter().zip(before);
+        let left = pairs.map(|(&(rule, i), &before)| {
+            let is_outside = !joint.is_inside(rule, after[i]);
+            before.max(u32::from(is_outside))
+        });
+        left.collect()
+    }
+
+    /// Whether a rule counts an agent in its zone.
+    fn is_counted(&self, left: &[u32], pair: (usize, usize)) -> bool {
+        let mut uncounted = self.uncounted.iter().zip(left);
+        !uncounted.any(|(&other, &left)| other == pair && left == 0)
     }
 }
 
 impl Joint<'_> {
     fn rules(&self) -> impl Iterator<Item = &Shared> {
         self.problem.between.rules.iter()
+    }
+
+    /// The rules that do not count agents until they have left a zone, with the places of
+    /// these agents in joint states.
+    fn uncounted(&self) -> Vec<(usize, usize)> {
+        let rules = self.rules().enumerate();
+        let pairs = rules.flat_map(|(number, rule)| {
+            let agents = self.agents.iter().enumerate();
+            let agents = agents.filter(|&(_, &agent)| rule.begins_uncounted(agent));
+            agents.map(move |(i, _)| (number, i))
+        });
+        pairs.collect()
+    }
+
+    /// Whether an agent is in the area of a rule, by its number.
+    fn is_inside(&self, number: usize, single: Single) -> bool {
+        let rule = self.problem.between.rules.get(number);
+        match rule.map(|rule| &rule.kind) {
+            Some(SharedKind::Capacity { area, .. }) => self.touched(single).any(|v| area.has(v)),
+            Some(SharedKind::Gap { .. } | SharedKind::Apart { .. }) | None => false,
+        }
+    }
+
+    /// The vertices that an agent counts at.
+    fn touched(&self, single: Single) -> impl Iterator<Item = Vertex> {
+        let place = match single {
+            Single::Going { place, .. } => Some(place),
+            Single::Leaving(v) | Single::Arrived(Some(v)) => Some(Place::At(v)),
+            Single::Arrived(None) => None,
+        };
+        let terrain = &self.problem.terrain;
+        place.into_iter().flat_map(|place| touched(terrain, place))
     }
 
     /// The agents that a rule binds, by their places in joint states.
@@ -174,22 +245,22 @@ impl Joint<'_> {
         })
     }
 
-    /// Whether a rule about single times is kept in a state at a time.
-    fn keeps_now(&self, rule: &Shared, time: u32, state: &[Single]) -> bool {
+    /// Whether a rule about single times is kept in a state at a time. A zone does not count
+    /// some of the agents.
+    fn keeps_now(
+        &self,
+        rule: &Shared,
+        time: u32,
+        state: &[Single],
+        is_counted: impl Fn(usize) -> bool,
+    ) -> bool {
         let terrain = &self.problem.terrain;
-        let touches = |i: usize| {
-            let place = match state[i] {
-                Single::Going { place, .. } => Some(place),
-                Single::Leaving(v) | Single::Arrived(Some(v)) => Some(Place::At(v)),
-                Single::Arrived(None) => None,
-            };
-            place.into_iter().flat_map(|place| touched(terrain, place))
-        };
+        let touches = |i: usize| self.touched(state[i]);
         match &rule.kind {
             SharedKind::Capacity { area, most, times } => {
                 let inside = self
                     .bound(rule)
-                    .filter(|&i| touches(i).any(|v| area.has(v)));
+                    .filter(|&i| is_counted(i) && touches(i).any(|v| area.has(v)));
                 !times.contains(time) || inside.count() <= *most as usize
             }
             SharedKind::Apart { distance, times } => {

@@ -147,7 +147,7 @@ impl Pricing<'_, '_> {
     /// The price of a rule: the best plan without it beside the best with it.
     fn price(&self, rule: usize, with: &SolveAnswer, share: f64) -> RulePrice {
         let mut instance = self.instance.clone();
-        instance.switch_off(rule);
+        instance.switch_off(|other| other == rule);
         // What keeps all rules keeps the others, too.
         let Solved {
             answer: without, ..

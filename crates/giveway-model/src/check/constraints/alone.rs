@@ -1,37 +1,29 @@
 //! Rules that each agent keeps by itself.
 
+use super::row::Wait;
 use super::{Area, Broken, Row, Table};
 use crate::Cell;
-use crate::check::{Step, steps};
 use crate::condition::Times;
 use crate::constraint::{Heading, meant};
 
-/// A move: the times at which it begins and ends, from where, to where.
-type Move = (u32, u32, Cell, Cell);
-
 impl Table<'_> {
-    fn moves(&self, row: &Row<'_>) -> Vec<Move> {
-        let steps = steps(self.instance.grid(), row.walk.path);
-        let moves = steps.filter_map(|(begin, step)| match step {
-            Step::Move { from, to } => Some((begin as u32, begin as u32 + 1, from, to)),
-            Step::SlowMove { from, to } => Some((begin as u32, begin as u32 + 2, from, to)),
-            Step::Wait | Step::Broken { .. } => None,
-        });
-        let arriving = row.before.zip(row.at(1)).filter(|_| row.at(0).is_none());
-        let arriving = arriving.map(|(from, to)| (0, 1, from, to));
-        arriving.into_iter().chain(moves).collect()
-    }
-
     /// Agents in a closed zone.
     pub(super) fn entered(
         &self,
-        rows: &[Row<'_>],
+        rows: &[&Row<'_>],
         area: &Area<'_>,
         times: Times,
         broken: &mut Broken<'_, '_, '_>,
     ) {
         for row in rows {
+            let uncounted = row.uncounted(area, broken.judged);
             for time in times.first()..=meant(times).last().min(self.last) {
+                if uncounted
+                    .iter()
+                    .any(|&(from, to)| (from..to).contains(&time))
+                {
+                    continue;
+                }
                 let cells: Vec<Cell> = row.touches(time).filter(|&cell| area.has(cell)).collect();
                 if !cells.is_empty() {
                     broken.at(time, &[row.agent], cells);
@@ -42,75 +34,84 @@ impl Table<'_> {
             }
         }
     }
+}
 
-    /// Moves against a lane.
-    pub(super) fn against(&self, rows: &[Row<'_>], lane: &[Cell], broken: &mut Broken<'_, '_, '_>) {
-        for row in rows {
-            for (begin, _, from, to) in self.moves(row) {
-                if lane.windows(2).any(|pair| pair == [to, from]) {
-                    broken.at(begin, &[row.agent], vec![from, to]);
-                }
-            }
-        }
-    }
-
-    /// Moves that begin too early.
-    pub(super) fn departed(&self, rows: &[Row<'_>], from: u32, broken: &mut Broken<'_, '_, '_>) {
-        for row in rows {
-            for (begin, _, u, v) in self.moves(row) {
-                if begin < from {
-                    broken.at(begin, &[row.agent], vec![u, v]);
-                }
-            }
-        }
-    }
-
-    /// Waits that are too long.
-    pub(super) fn waited(
-        &self,
-        rows: &[Row<'_>],
-        area: &Area<'_>,
-        most: u32,
-        broken: &mut Broken<'_, '_, '_>,
-    ) {
-        for row in rows {
-            let mut run = 0;
-            for (time, step) in steps(self.instance.grid(), row.walk.path) {
-                run = if step == Step::Wait { run + 1 } else { 0 };
-                let here = row.at(time as u32).filter(|&cell| area.has(cell));
-                if let Some(cell) = here
-                    && run > most
-                {
-                    broken.at(time as u32, &[row.agent], vec![cell]);
-                }
-            }
-        }
-    }
-
-    /// Moves that begin before the agent has turned.
-    pub(super) fn turned(&self, rows: &[Row<'_>], quarter: u32, broken: &mut Broken<'_, '_, '_>) {
-        for row in rows {
-            let (mut facing, mut since) = (row.walk.agent.heading, 0);
-            for (begin, end, from, to) in self.moves(row) {
-                let next = Heading::of(from, to);
-                let quarters = facing
-                    .zip(next)
-                    .map_or(0, |(one, next)| one.quarters_to(next));
-                if begin.saturating_sub(since) < quarter.saturating_mul(quarters) {
-                    broken.at(begin, &[row.agent], vec![from, to]);
-                }
-                (facing, since) = (next, end);
+/// Moves against a lane.
+pub(super) fn against(rows: &[&Row<'_>], lane: &[Cell], broken: &mut Broken<'_, '_, '_>) {
+    for row in rows {
+        for it in &row.moves {
+            if lane.windows(2).any(|pair| pair == [it.to, it.from]) {
+                broken.at(it.begin, &[row.agent], vec![it.from, it.to]);
             }
         }
     }
 }
 
-/// Agents that do not visit cells in their order.
-pub(super) fn out_of_order(rows: &[Row<'_>], cells: &[Cell], broken: &mut Broken<'_, '_, '_>) {
+/// Moves that begin too early.
+pub(super) fn departed(rows: &[&Row<'_>], from: u32, broken: &mut Broken<'_, '_, '_>) {
     for row in rows {
-        let arrival = row.walk.arrival() as u32;
+        for it in row.moves.iter().filter(|it| it.begin < from) {
+            broken.at(it.begin, &[row.agent], vec![it.from, it.to]);
+        }
+    }
+}
+
+/// Waits that are too long. Those of a breakdown do not count, nor those before the rule
+/// was added; what an agent sleeps through is no wait, and ends a row of them.
+pub(super) fn waited(
+    rows: &[&Row<'_>],
+    area: &Area<'_>,
+    most: u32,
+    broken: &mut Broken<'_, '_, '_>,
+) {
+    let since = broken.judged.since.unwrap_or(0);
+    let index = broken.judged.rule.index;
+    for row in rows {
+        let (mut run, mut next) = (row.start.begun(index), 0);
+        for &Wait { time, is_held } in &row.waits {
+            if time != next {
+                run = 0;
+            }
+            next = time + 1;
+            if is_held || time < since {
+                continue;
+            }
+            run += 1;
+            let here = row.at(time).filter(|&cell| area.has(cell));
+            if let Some(cell) = here
+                && run > most
+            {
+                broken.at(time, &[row.agent], vec![cell]);
+            }
+        }
+    }
+}
+
+/// Moves that begin before the agent has turned.
+pub(super) fn turned(rows: &[&Row<'_>], quarter: u32, broken: &mut Broken<'_, '_, '_>) {
+    for row in rows {
+        // For how long it has stood at the time of its first entry.
+        let (mut facing, mut since) = (row.heading, row.from);
+        let mut stood = row.start.stood;
+        for it in &row.moves {
+            let next = Heading::of(it.from, it.to);
+            let quarters = facing
+                .zip(next)
+                .map_or(0, |(one, next)| one.quarters_to(next));
+            let stands = it.begin.saturating_sub(since).saturating_add(stood);
+            if stands < quarter.saturating_mul(quarters) {
+                broken.at(it.begin, &[row.agent], vec![it.from, it.to]);
+            }
+            (facing, since, stood) = (next, it.end, 0);
+        }
+    }
+}
+
+/// Agents that do not visit cells in their order.
+pub(super) fn out_of_order(rows: &[&Row<'_>], cells: &[Cell], broken: &mut Broken<'_, '_, '_>) {
+    for row in rows.iter().filter(|row| !row.is_removed) {
         let mut left = cells;
-        for time in 0..=arrival {
+        for time in row.from..=row.arrival {
             while let [next, rest @ ..] = left
                 && row.at(time) == Some(*next)
             {
@@ -118,43 +119,53 @@ pub(super) fn out_of_order(rows: &[Row<'_>], cells: &[Cell], broken: &mut Broken
             }
         }
         if let Some(&missed) = left.first() {
-            broken.at(arrival, &[row.agent], vec![missed]);
+            broken.never_done(row.arrival, row.agent, missed);
         }
     }
 }
 
 /// Agents that do not arrive within some times.
-pub(super) fn arrived(rows: &[Row<'_>], times: Times, broken: &mut Broken<'_, '_, '_>) {
-    for row in rows {
-        let arrival = row.walk.arrival() as u32;
-        if !meant(times).contains(arrival) {
-            broken.at(arrival, &[row.agent], Vec::from_iter(row.walk.end()));
+pub(super) fn arrived(rows: &[&Row<'_>], times: Times, broken: &mut Broken<'_, '_, '_>) {
+    for row in rows.iter().filter(|row| !row.is_removed) {
+        // One that stays where it rested arrived before the table begins.
+        let is_met = if row.arrival == 0 && row.start.rested > 0 {
+            !row.start.must_go_on
+        } else {
+            meant(times).contains(row.arrival)
+        };
+        if !is_met {
+            let end = row.at(row.arrival);
+            broken.at(row.arrival, &[row.agent], Vec::from_iter(end));
         }
     }
 }
 
 /// Agents that never stay at a cell for so long within some times.
 pub(super) fn not_visited(
-    rows: &[Row<'_>],
+    rows: &[&Row<'_>],
     cell: Cell,
     (stay, times): (u32, Times),
     broken: &mut Broken<'_, '_, '_>,
 ) {
     let times = meant(times);
-    for row in rows {
-        let arrival = row.walk.arrival() as u32;
-        // At rest, it is there at all later times.
-        let mut since: Option<u32> = None;
+    let index = broken.judged.rule.index;
+    for row in rows.iter().filter(|row| !row.is_removed) {
+        // The times on end at the cell; at rest, it is there at all later times.
+        let mut run = row.start.begun(index);
         let mut is_met = false;
-        for time in times.first()..=arrival.max(times.first()) {
-            let is_there = row.at(time) == Some(cell);
-            since = since.or(Some(time)).filter(|_| is_there);
-            let rests = time >= arrival && row.stays;
-            let needed = since.map(|since| since.saturating_add(stay));
-            is_met |= needed.is_some_and(|until| until <= times.last() && (until <= time || rests));
+        for time in times.first()..=row.arrival.max(times.first()) {
+            run = if row.at(time) == Some(cell) {
+                run + 1
+            } else {
+                0
+            };
+            let rests = time >= row.arrival && row.stays();
+            let needed = stay.saturating_add(1).saturating_sub(run);
+            let until = time.saturating_add(needed);
+            is_met |= run > 0 && until <= times.last() && (needed == 0 || rests);
         }
         if !is_met {
-            broken.at(arrival, &[row.agent], vec![cell]);
+            broken.never_done(row.arrival, row.agent, cell);
         }
     }
 }

@@ -9,11 +9,11 @@ use crate::constraint::meant;
 use crate::sorting::sort_by_key;
 
 impl Table<'_> {
-    /// The times of a rule that are judged. Beyond the makespan all are alike, so the rest
+    /// The times of a rule that are judged. Once all have settled, times are alike, so the rest
     /// is left out where nothing is broken just after it.
     fn each_time(&self, times: Times, mut is_broken: impl FnMut(u32) -> bool) {
         for time in times.first()..=meant(times).last().min(self.last) {
-            if !is_broken(time) && time > self.makespan {
+            if !is_broken(time) && time > self.settled {
                 return;
             }
         }
@@ -22,14 +22,22 @@ impl Table<'_> {
     /// Zones with too many agents.
     pub(super) fn crowded(
         &self,
-        rows: &[Row<'_>],
+        rows: &[&Row<'_>],
         area: &Area<'_>,
         (most, times): (u32, Times),
         broken: &mut Broken<'_, '_, '_>,
     ) {
+        let uncounted = rows.iter().map(|row| row.uncounted(area, broken.judged));
+        let uncounted: Vec<Vec<(u32, u32)>> = uncounted.collect();
         self.each_time(times, |time| {
             let (mut agents, mut cells) = (Vec::new(), Vec::new());
-            for row in rows {
+            for (row, uncounted) in rows.iter().zip(&uncounted) {
+                if uncounted
+                    .iter()
+                    .any(|&(from, to)| (from..to).contains(&time))
+                {
+                    continue;
+                }
                 let before = cells.len();
                 cells.extend(row.touches(time).filter(|&cell| area.has(cell)));
                 if cells.len() > before {
@@ -45,10 +53,10 @@ impl Table<'_> {
     }
 
     /// Agents that come to a cell too soon after others.
-    pub(super) fn too_soon(&self, rows: &[Row<'_>], steps: u32, broken: &mut Broken<'_, '_, '_>) {
+    pub(super) fn too_soon(&self, rows: &[&Row<'_>], steps: u32, broken: &mut Broken<'_, '_, '_>) {
         // Each cell with those who were there, each with the last time.
         let mut visitors: BTreeMap<Cell, BTreeMap<usize, u32>> = BTreeMap::new();
-        for time in 0..=self.last.min(self.makespan.saturating_add(steps)) {
+        for time in 0..=self.last.min(self.settled.saturating_add(steps)) {
             let here = rows
                 .iter()
                 .filter_map(|row| Some((row.agent, row.at(time)?)));
@@ -72,7 +80,7 @@ impl Table<'_> {
     /// Agents that are too near to each other.
     pub(super) fn too_near(
         &self,
-        rows: &[Row<'_>],
+        rows: &[&Row<'_>],
         (distance, times): (u32, Times),
         broken: &mut Broken<'_, '_, '_>,
     ) {
@@ -106,8 +114,8 @@ impl Table<'_> {
     /// An agent that is at its cell before another was at its own.
     pub(super) fn not_before(
         &self,
-        (first, at): (Row<'_>, Cell),
-        (second, there): (Row<'_>, Cell),
+        (first, at): (&Row<'_>, Cell),
+        (second, there): (&Row<'_>, Cell),
         broken: &mut Broken<'_, '_, '_>,
     ) {
         let mut agents = vec![first.agent, second.agent];

@@ -2,151 +2,119 @@
 
 mod alone;
 mod between;
+mod penalty;
+mod row;
 
 use super::findings::Findings;
 use super::walk::Walk;
+use crate::condition::Times;
 use crate::constraint::{ConstraintKind, InForce};
 use crate::{Cell, Grid, Instance, Zone};
+
+use alone::out_of_order;
+pub(super) use penalty::penalty;
+pub(super) use row::{Move, Row, Start, Wait};
 
 /// Finds all that a plan breaks of the rules of the scene's own.
 ///
 /// A rule that is broken at several times has a violation for each, up to the later of
 /// the makespan and the last time that a rule names.
 pub(super) fn find(instance: &Instance, walks: &[Walk<'_>], findings: &mut Findings<'_>) {
-    let arrivals = walks.iter().map(|walk| walk.arrival() as u32);
-    let named = instance.constraints_in_force();
-    let last = named.map(|rule| rule.constraint.last_time());
-    let makespan = arrivals.clone().max().unwrap_or(0);
-    let table = Table {
-        instance,
-        walks,
-        makespan,
-        last: makespan.max(last.max().unwrap_or(0)),
-    };
-    for rule in instance.constraints_in_force() {
-        table.judge(&rule, findings);
+    let rules: Vec<Judged<'_>> = instance
+        .constraints_in_force()
+        .map(Judged::always)
+        .collect();
+    let starts = instance.agents().iter();
+    let mut starts = starts.map(|agent| instance.start_state(&agent.name));
+    if rules.is_empty() && starts.all(|start| start.closed_cells.is_empty()) {
+        return;
+    }
+    let rows = walks.iter().map(|walk| Row::of_walk(instance, walk));
+    let table = Table::new((instance.grid(), instance.zones()), rows.collect(), &rules);
+    for rule in &rules {
+        table.judge(rule, findings);
+    }
+    table.judge_closed_cells(instance, findings);
+}
+
+/// A rule, and the times at which it is judged.
+pub(super) struct Judged<'a> {
+    /// The rule, with the agents that it binds.
+    pub(super) rule: InForce<'a>,
+    /// The times.
+    pub(super) span: Times,
+    /// The time at which a change added it; who is in its zone then is not counted there
+    /// until it has left.
+    pub(super) since: Option<u32>,
+}
+
+impl<'a> Judged<'a> {
+    /// A rule that holds at all times.
+    pub(super) fn always(rule: InForce<'a>) -> Self {
+        Self {
+            rule,
+            span: Times::default(),
+            since: None,
+        }
     }
 }
 
-/// What the rules of the scene's own make the walks of a plan cost.
-pub(super) fn penalty(instance: &Instance, walks: &[Walk<'_>]) -> u32 {
-    let table = Table {
-        instance,
-        walks,
-        makespan: 0,
-        last: 0,
-    };
-    let rules = instance.constraints_in_force();
-    let penalties = rules.map(|rule| match &rule.constraint.kind {
-        ConstraintKind::Avoid { zone, weight } => {
-            let area = table.area(zone);
-            let times = |row: Row<'_>| {
-                let times = 0..row.walk.arrival() as u32;
-                times
-                    .filter(|&time| row.touches(time).any(|cell| area.has(cell)))
-                    .count() as u32
-            };
-            let times = table.rows(&rule).into_iter().map(times);
-            times.fold(0, u32::saturating_add).saturating_mul(*weight)
-        }
-        ConstraintKind::Late { by, weight } => {
-            let late = |row: Row<'_>| (row.walk.arrival() as u32).saturating_sub(*by);
-            let late = table.rows(&rule).into_iter().map(late);
-            late.fold(0, u32::saturating_add).saturating_mul(*weight)
-        }
-        ConstraintKind::Capacity { .. }
-        | ConstraintKind::Closed { .. }
-        | ConstraintKind::OneWay { .. }
-        | ConstraintKind::Gap { .. }
-        | ConstraintKind::Apart { .. }
-        | ConstraintKind::Sequence { .. }
-        | ConstraintKind::Visit { .. }
-        | ConstraintKind::Arrive { .. }
-        | ConstraintKind::Depart { .. }
-        | ConstraintKind::Before { .. }
-        | ConstraintKind::NoWaiting { .. }
-        | ConstraintKind::Turns { .. } => 0,
-    });
-    penalties.fold(0, u32::saturating_add)
-}
-
 /// The plan as a table: where each agent is at each time.
-struct Table<'a> {
-    instance: &'a Instance,
-    walks: &'a [Walk<'a>],
-    makespan: u32,
+pub(super) struct Table<'a> {
+    grid: &'a Grid,
+    zones: &'a [Zone],
+    rows: Vec<Row<'a>>,
+    /// The time from which on all stay where they are, and nothing changes.
+    settled: u32,
     /// The last time that is judged.
     last: u32,
 }
 
-/// A row of the table.
-#[derive(Clone, Copy)]
-struct Row<'a> {
-    /// The agent's number in the instance.
-    agent: usize,
-    walk: &'a Walk<'a>,
-    /// Whether it stays where it arrives.
-    stays: bool,
-    /// Where it comes from, where it is in transit at time 0.
-    before: Option<Cell>,
-}
-
-impl Row<'_> {
-    /// The cell that it is at; `None` in transit, and once it is gone.
-    fn at(&self, time: u32) -> Option<Cell> {
-        let time = time as usize;
-        if time <= self.walk.arrival() {
-            self.walk.at(time)
-        } else {
-            self.walk.end().filter(|_| self.stays)
+impl<'a> Table<'a> {
+    /// The table of some agents, judged as long as rules name times.
+    pub(super) fn new(
+        (grid, zones): (&'a Grid, &'a [Zone]),
+        rows: Vec<Row<'a>>,
+        rules: &[Judged<'_>],
+    ) -> Self {
+        let ends = rows.iter().map(Row::settled);
+        let settled = ends.chain(rules.iter().filter_map(|rule| rule.since));
+        let settled = settled.max().unwrap_or(0);
+        let named = rules.iter().map(|rule| rule.rule.constraint.last_time());
+        let closed = rows.iter().flat_map(|row| &row.start.closed_cells);
+        let closed = closed
+            .map(|closed| closed.until)
+            .filter(|&until| until < u32::MAX);
+        let last = named.chain(closed).fold(settled, u32::max);
+        Self {
+            grid,
+            zones,
+            rows,
+            settled,
+            last,
         }
     }
 
-    /// The cells that count for a zone or a distance: both ends of its edge in transit.
-    fn touches(&self, time: u32) -> impl Iterator<Item = Cell> + '_ {
-        let is_gone = time as usize > self.walk.arrival() && !self.stays;
-        let here = self.at(time);
-        let is_along = here.is_none() && !is_gone;
-        let before = match time.checked_sub(1) {
-            Some(before) => self.at(before),
-            None => self.before,
-        };
-        let ends = [before, self.at(time.saturating_add(1))];
-        here.into_iter()
-            .chain(ends.into_iter().flatten().filter(move |_| is_along))
-    }
-}
-
-impl<'a> Table<'a> {
     /// The rows of the agents that a rule binds.
-    fn rows(&self, rule: &InForce<'_>) -> Vec<Row<'a>> {
-        let rows = self.walks.iter().map(|walk| Row {
-            agent: walk.index,
-            walk,
-            stays: self.instance.keeps(walk.agent),
-            before: self.instance.start_state(&walk.agent.name).transit_from,
-        });
+    fn rows(&self, rule: &InForce<'_>) -> Vec<&Row<'a>> {
+        let rows = self.rows.iter();
         rows.filter(|row| rule.agents.contains(&row.agent))
             .collect()
     }
 
-    fn row(&self, agent: &str) -> Option<Row<'a>> {
-        let walk = self.walks.iter().find(|walk| walk.agent.name == agent)?;
-        Some(Row {
-            agent: walk.index,
-            walk,
-            stays: self.instance.keeps(walk.agent),
-            before: self.instance.start_state(agent).transit_from,
-        })
+    fn row(&self, name: &str) -> Option<&Row<'a>> {
+        self.rows.iter().find(|row| row.name == name)
     }
 
     fn area(&self, zone: &str) -> Area<'a> {
-        Area::new(self.instance.grid(), self.instance.zone(zone))
+        Area::new(self.grid, self.zones.iter().find(|it| it.name == zone))
     }
 
-    fn judge(&self, rule: &InForce<'_>, findings: &mut Findings<'_>) {
+    /// Finds all that breaks one rule.
+    pub(super) fn judge(&self, judged: &Judged<'_>, findings: &mut Findings<'_>) {
+        let rule = &judged.rule;
         let rows = self.rows(rule);
-        let mut broken = Broken { rule, findings };
+        let mut broken = Broken { judged, findings };
         match &rule.constraint.kind {
             ConstraintKind::Capacity { zone, most, times } => {
                 self.crowded(&rows, &self.area(zone), (*most, *times), &mut broken);
@@ -154,7 +122,7 @@ impl<'a> Table<'a> {
             ConstraintKind::Closed { zone, times } => {
                 self.entered(&rows, &self.area(zone), *times, &mut broken);
             }
-            ConstraintKind::OneWay { lane } => self.against(&rows, lane, &mut broken),
+            ConstraintKind::OneWay { lane } => alone::against(&rows, lane, &mut broken),
             ConstraintKind::Gap { steps } => self.too_soon(&rows, *steps, &mut broken),
             ConstraintKind::Apart { distance, times } => {
                 self.too_near(&rows, (*distance, *times), &mut broken);
@@ -164,7 +132,7 @@ impl<'a> Table<'a> {
                 alone::not_visited(&rows, *cell, (*stay, *times), &mut broken);
             }
             ConstraintKind::Arrive { times } => alone::arrived(&rows, *times, &mut broken),
-            ConstraintKind::Depart { from } => self.departed(&rows, *from, &mut broken),
+            ConstraintKind::Depart { from } => alone::departed(&rows, *from, &mut broken),
             ConstraintKind::Before { first, second } => {
                 if let (Some(one), Some(other)) = (self.row(&first.agent), self.row(&second.agent))
                 {
@@ -172,16 +140,39 @@ impl<'a> Table<'a> {
                 }
             }
             ConstraintKind::NoWaiting { zone, most } => {
-                self.waited(&rows, &self.area(zone), *most, &mut broken);
+                alone::waited(&rows, &self.area(zone), *most, &mut broken);
             }
-            ConstraintKind::Turns { quarter } => self.turned(&rows, *quarter, &mut broken),
+            ConstraintKind::Turns { quarter } => alone::turned(&rows, *quarter, &mut broken),
             // These forbid nothing.
             ConstraintKind::Late { .. } | ConstraintKind::Avoid { .. } => {}
         }
     }
-}
 
-use alone::out_of_order;
+    /// Finds agents at cells that are closed to them for what others did before time 0.
+    fn judge_closed_cells(&self, instance: &Instance, findings: &mut Findings<'_>) {
+        for row in &self.rows {
+            for closed in &row.start.closed_cells {
+                let Some(constraint) = instance.constraints().get(closed.rule) else {
+                    continue;
+                };
+                let judged = Judged::always(InForce {
+                    index: closed.rule,
+                    constraint,
+                    agents: vec![row.agent],
+                });
+                let mut broken = Broken {
+                    judged: &judged,
+                    findings,
+                };
+                for time in 0..=closed.until.min(self.last) {
+                    if row.at(time) == Some(closed.cell) {
+                        broken.at(time, &[row.agent], vec![closed.cell]);
+                    }
+                }
+            }
+        }
+    }
+}
 
 /// The cells of a zone, by row.
 struct Area<'a> {
@@ -209,14 +200,24 @@ impl<'a> Area<'a> {
 
 /// Where violations of one rule go.
 struct Broken<'r, 'f, 'n> {
-    rule: &'r InForce<'r>,
+    judged: &'r Judged<'r>,
     findings: &'f mut Findings<'n>,
 }
 
 impl Broken<'_, '_, '_> {
+    /// Notes a violation, where the rule is judged at its time.
     fn at(&mut self, time: u32, agents: &[usize], cells: Vec<Cell>) {
-        self.findings
-            .push_constraint(self.rule, time, agents, cells);
+        if self.judged.span.contains(time) {
+            let rule = &self.judged.rule;
+            self.findings.push_constraint(rule, time, agents, cells);
+        }
+    }
+
+    /// Notes what was never done, up to an arrival: a rule that was added later is judged
+    /// from then on.
+    fn never_done(&mut self, arrival: u32, agent: usize, cell: Cell) {
+        let time = arrival.max(self.judged.span.first());
+        self.at(time, &[agent], vec![cell]);
     }
 
     fn is_full(&self) -> bool {

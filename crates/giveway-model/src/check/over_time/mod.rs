@@ -6,6 +6,7 @@
 
 mod alone;
 mod battery;
+mod constraints;
 mod shape;
 mod together;
 
@@ -15,6 +16,7 @@ use crate::change::{Changes, History, Timeline, Trajectory};
 use crate::{Costs, Fault, Instance, Plan};
 
 pub use battery::{level_at, levels};
+pub(crate) use constraints::{penalty_until, waits_on_end};
 
 /// Judges a plan with the changes of the world while it runs.
 ///
@@ -52,6 +54,12 @@ pub fn check_changes(
 }
 
 /// Judges a plan in a history that was made from it.
+///
+/// A rule of the scene's own is judged in the world of each time: from when a change added
+/// it, and before one removed it, among the agents that are there meanwhile. Where a rule is
+/// about the way so far (a sequence, a visit, a precedence, a gap, turns), what was done before
+/// it was added counts. Waits on end count from then on; a zone counts an agent that is in it
+/// then once it has left, and so it does with one that a breakdown keeps there.
 pub fn check_history(history: &History, plan: &Plan) -> Report {
     let timelines = history.timelines();
     let mut findings = Findings::named(timelines.iter().map(Timeline::name).collect());
@@ -66,13 +74,14 @@ pub fn check_history(history: &History, plan: &Plan) -> Report {
         battery::find(history, index, &trajectory, &mut findings);
     }
     together::find(history, &trajectories, &mut findings);
+    constraints::find(history, &trajectories, &mut findings);
     Report {
         violations: findings.into_violations(),
         costs: costs(history, plan),
     }
 }
 
-/// The five costs of a plan in a history; `None` where an agent has no path.
+/// The costs of a plan in a history; `None` where an agent has no path.
 pub fn costs_over_time(history: &History, plan: &Plan) -> Option<Costs> {
     costs(history, plan)
 }
@@ -134,6 +143,7 @@ fn costs(history: &History, plan: &Plan) -> Option<Costs> {
             costs.waits = costs.waits.saturating_add(u32::from(!slept));
         }
     }
+    costs.penalty = constraints::penalty(history, plan);
     Some(costs)
 }
 

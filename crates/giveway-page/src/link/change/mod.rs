@@ -4,6 +4,7 @@
 mod steps;
 
 use giveway_model::change::{Change, Changes, What};
+use giveway_model::format::link::message;
 use giveway_model::{Agent, Cell, Plan, Version};
 
 use super::scene::{read_agent, write_agent};
@@ -47,6 +48,8 @@ fn kind(what: &What) -> (char, String) {
         What::DropWaypoint { agent, cell } => ('d', of(agent, cell)),
         What::SetBattery { agent, level } => ('b', format!("{}.{level}", escape(agent))),
         What::DelayAgent { agent, steps } => ('p', format!("{}.{steps}", escape(agent))),
+        What::AddConstraint { constraint } => ('l', escape(&message::write(constraint))),
+        What::RemoveConstraint { constraint } => ('u', escape(&message::write(constraint))),
     }
 }
 
@@ -143,6 +146,12 @@ fn read_one(text: &str) -> Option<Change> {
         'p' => What::DelayAgent {
             agent: name()?,
             steps: count()?,
+        },
+        'l' => What::AddConstraint {
+            constraint: message::read(&unescape(rest)?)?,
+        },
+        'u' => What::RemoveConstraint {
+            constraint: message::read(&unescape(rest)?)?,
         },
         _ => return None,
     };

@@ -40,12 +40,19 @@ impl<'a> Counters<'a> {
                 | Counter::Turns(_)
                 | Counter::Visited(_)
                 | Counter::Order(..) => {}
-                Counter::Stay(_) => counters.has_stays = true,
-                Counter::Entry { from } => counters.entry = counters.entry.max(Some(*from)),
-                Counter::LongWait(wait) if wait.times.are_all() && wait.begun == 0 => {
+                Counter::Stay(stay) if stay.begun == 0 => counters.has_stays = true,
+                Counter::Entry(entry) if !entry.stood && !entry.may_stay => {
+                    counters.entry = counters.entry.max(Some(entry.from));
+                }
+                Counter::LongWait(wait)
+                    if wait.times.are_all() && wait.begun == 0 && wait.held == 0 =>
+                {
                     counters.has_limits_on_waits = true;
                 }
-                Counter::LongWait(_) => return None,
+                // What began before time 0 is counted step by step.
+                Counter::Stay(_) | Counter::Entry(_) | Counter::LongWait(_) | Counter::Left(_) => {
+                    return None;
+                }
             }
         }
         let is_told = conditions
@@ -93,14 +100,15 @@ impl<'a> Counters<'a> {
         let mask = conditions.counted(mask, |counter, count| match counter {
             Counter::LongWait(_) => Some(0),
             Counter::Stay(stay) => Some(if stay.is_done(count) { count } else { 0 }),
-            Counter::Entry { .. } => Some(1),
+            Counter::Entry(_) => Some(1),
             Counter::Turns(turns) => {
                 stands = stands.max(turns.stands_before(count, passage.heading));
                 Some(turns.after_move(passage.heading))
             }
-            Counter::Sequence(_) | Counter::Visited(_) | Counter::Order(..) => {
-                counter.next(count, passage)
-            }
+            Counter::Sequence(_)
+            | Counter::Visited(_)
+            | Counter::Order(..)
+            | Counter::Left(_) => counter.next(count, passage),
         })?;
         Some((mask | bit, stands))
     }
@@ -152,11 +160,12 @@ impl<'a> Counters<'a> {
                     stay.done()
                 }
                 Counter::Turns(turns) => turns.after_standing(count, time - since),
-                Counter::Entry { .. } => 1,
+                Counter::Entry(_) => 1,
                 Counter::Stay(_)
                 | Counter::LongWait(_)
                 | Counter::Sequence(_)
                 | Counter::Visited(_)
+                | Counter::Left(_)
                 | Counter::Order(..) => count,
             });
             mask.map(|mask| (time, mask))
@@ -200,7 +209,7 @@ impl<'a> Counters<'a> {
         let passing = self.stays(mask).filter(|stay| !stay.rests);
         let first = passing.map(|stay| stay.times.first()).max();
         let mask = self.each(mask, |counter, count| match counter {
-            Counter::Entry { .. } => 0,
+            Counter::Entry(_) => 0,
             _ => count,
         });
         mask.map(|mask| (mask, from.max(first.unwrap_or(0))))
@@ -215,9 +224,10 @@ impl<'a> Counters<'a> {
             }
             Counter::Sequence(_)
             | Counter::Turns(_)
-            | Counter::Entry { .. }
+            | Counter::Entry(_)
             | Counter::LongWait(_)
             | Counter::Visited(_)
+            | Counter::Left(_)
             | Counter::Order(..) => counter.may_end(count, v, arrival),
         })
     }

@@ -35,6 +35,7 @@ pub(super) fn without_search(case: &MethodCase<'_, '_>, trouble: Trouble) -> Met
                 method: Method::Replan,
                 held: Vec::new(),
                 has_batteries: false,
+                rule: fault.rule.and_then(|rule| case.told_rule(rule)),
             };
             let reach = Proved::no_plan(reason);
             (

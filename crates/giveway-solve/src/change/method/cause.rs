@@ -17,6 +17,7 @@ pub(super) fn cause_of(case: &MethodCase<'_, '_>, agent: usize, fault: MethodRef
         method: case.method,
         held: Vec::new(),
         has_batteries: false,
+        rule: fault.rule.and_then(|rule| case.told_rule(rule)),
     }
 }
 
@@ -45,6 +46,7 @@ pub(super) fn blocked(
         .iter()
         .filter_map(|&agent| case.agent(agent))
         .any(|(agent, _)| agent.battery.is_some());
+    let rule = case.blocking_rule(freed);
     Cause {
         agent,
         kind: CauseKind::Blocked,
@@ -54,5 +56,6 @@ pub(super) fn blocked(
         method: case.method,
         held,
         has_batteries,
+        rule: rule.and_then(|rule| case.told_rule(rule)),
     }
 }

@@ -1,0 +1,510 @@
+//! A plan that goes on under rules when the world changes: the states of its agents at the
+//! time of the change, read off the plan, and the best way on from there.
+//!
+//! Times stay those of the whole plan. An agent that is gone is a state, too: a gap looks at
+//! where it was.
+
+use giveway_model::Plan;
+use serde_json::{Value, json};
+
+use super::agent::{Mind, Where, direction};
+use super::scene::{Kind, RuleScene, Spot, spot};
+use super::search::{Answer, best_from};
+
+/// A plan and the changes of one time.
+pub struct ChangedRules {
+    at: i64,
+    before: RuleScene,
+    after: RuleScene,
+    /// The numbers of the rules that are new, among those after the change.
+    is_new: Vec<bool>,
+    agents: Vec<Running>,
+    been: Vec<bool>,
+    /// What each cost of the objective has of the past, however the plan goes on.
+    past: Vec<i64>,
+    latest: i64,
+}
+
+/// An agent at the time of the change.
+struct Running {
+    name: String,
+    is_old: bool,
+    /// Its states, each with what it pays for them.
+    states: Vec<(Mind, Vec<i64>)>,
+    /// The rest of its old path, waits taken out.
+    rest: Vec<Spot>,
+}
+
+/// The costs of one agent up to a time.
+#[derive(Default)]
+struct Past {
+    time: i64,
+    charges: i64,
+    moves: i64,
+    waits: i64,
+    penalty: i64,
+}
+
+/// Where a path has an agent at a time; `None` in transit, and once it is gone.
+fn on(path: &[Option<Spot>], time: i64, stays: bool) -> Option<Spot> {
+    let time = usize::try_from(time).ok()?;
+    match path.get(time) {
+        Some(entry) => *entry,
+        None if stays => *path.last().unwrap(),
+        None => None,
+    }
+}
+
+impl ChangedRules {
+    /// The world of a plan at a time: the scene as it was, and the changes as JSON.
+    ///
+    /// # Panics
+    /// When the scene is none, or a change is of a kind that is not known here.
+    pub fn new(scene: &Value, plan: &Plan, at: u32, changes: &[Value]) -> Self {
+        let mut json = scene.clone();
+        let old = json["constraints"].as_array().unwrap().len();
+        let mut removed = Vec::new();
+        let mut gone: Vec<String> = Vec::new();
+        let mut added: Vec<String> = Vec::new();
+        let mut delays: Vec<(String, i64)> = Vec::new();
+        for change in changes {
+            let name = || change["agent"].as_str().unwrap().to_owned();
+            match change["change"].as_str().unwrap() {
+                "add-constraint" => {
+                    let rules = json["constraints"].as_array_mut().unwrap();
+                    rules.push(change["constraint"].clone());
+                }
+                "remove-constraint" => {
+                    let index = change["index"].as_u64().unwrap();
+                    removed.push(usize::try_from(index).unwrap());
+                }
+                "delay-agent" => delays.push((name(), change["steps"].as_i64().unwrap())),
+                "remove-agent" => gone.push(name()),
+                "add-agent" => {
+                    added.push(change["agent"]["name"].as_str().unwrap().to_owned());
+                    let agents = json["agents"].as_array_mut().unwrap();
+                    agents.push(change["agent"].clone());
+                }
+                "set-goal" => {
+                    let mut agents = json["agents"].as_array_mut().unwrap().iter_mut();
+                    let agent = agents.find(|agent| agent["name"] == change["agent"]);
+                    agent.unwrap()["goal"] = change["cell"].clone();
+                }
+                "add-obstacle" => {
+                    let (x, y) = spot(&change["cell"]);
+                    let (x, y) = (usize::try_from(x).unwrap(), usize::try_from(y).unwrap());
+                    let mut row: Vec<char> = json["map"][y].as_str().unwrap().chars().collect();
+                    row[x] = '#';
+                    json["map"][y] = json!(row.into_iter().collect::<String>());
+                }
+                other => panic!("no change is called {other}"),
+            }
+        }
+        let names: Vec<String> = {
+            let agents = json["agents"].as_array().unwrap().iter();
+            agents
+                .map(|a| a["name"].as_str().unwrap().to_owned())
+                .collect()
+        };
+        // A precedence goes with either of its agents.
+        let rules = json["constraints"].as_array().unwrap().clone();
+        for (number, rule) in rules.iter().enumerate() {
+            let ends = [&rule["first"]["agent"], &rule["second"]["agent"]];
+            if ends
+                .iter()
+                .any(|end| gone.iter().any(|name| **end == **name))
+            {
+                removed.push(number);
+            }
+        }
+        let mut after = RuleScene::read(&json.to_string(), &removed);
+        let numbers = (0..rules.len()).filter(|number| !removed.contains(number));
+        let is_new: Vec<bool> = numbers.map(|number| number >= old).collect();
+        // In the world before, agents that join are not there.
+        let before = RuleScene::read(&scene.to_string(), &[]);
+        let at = i64::from(at);
+        for (rule, is_new) in after.rules.iter_mut().zip(&is_new) {
+            rule.agents.retain(|&agent| {
+                let arrival = plan.path(&names[agent]).len() as i64 - 1;
+                let has_left = gone.contains(&names[agent])
+                    || before.vanish && !added.contains(&names[agent]) && arrival < at;
+                !(has_left && *is_new)
+            });
+        }
+        let mut changed = Self {
+            at,
+            before,
+            is_new,
+            agents: Vec::new(),
+            been: Vec::new(),
+            past: vec![0; after.objective.len()],
+            latest: 0,
+            after,
+        };
+        let mut paths: Vec<Vec<Option<Spot>>> = Vec::new();
+        for (number, name) in names.iter().enumerate() {
+            let path = plan.path(name).iter();
+            let path = path.map(|entry| entry.map(|it| (i64::from(it.x), i64::from(it.y))));
+            let path: Vec<Option<Spot>> = path.collect();
+            let held = delays.iter().filter(|(who, _)| who == name);
+            let held = held.map(|&(_, steps)| steps).max().unwrap_or(0);
+            let running = if added.contains(name) {
+                changed.join(number, name)
+            } else {
+                let charges: Vec<i64> = plan
+                    .charges(name)
+                    .iter()
+                    .map(|&time| i64::from(time))
+                    .collect();
+                let is_removed = gone.contains(name);
+                changed.go_on(number, name, (&path, &charges), (held, is_removed))
+            };
+            changed.agents.push(running);
+            paths.push(path);
+        }
+        let stays = !changed.before.vanish;
+        changed.been = changed
+            .after
+            .orders()
+            .map(|((first, cell), _)| {
+                let path = &paths[first];
+                !path.is_empty() && (0..at).any(|time| on(path, time, stays) == Some(cell))
+            })
+            .collect();
+        changed
+    }
+
+    /// The costs of a past in the order of the objective.
+    fn vector(&self, past: &Past) -> Vec<i64> {
+        let costs = self.after.objective.iter().map(|cost| match cost.as_str() {
+            "makespan" => 0,
+            "sum-of-costs" => past.time,
+            "charges" => past.charges,
+            "moves" => past.moves,
+            "waits" => past.waits,
+            _ => past.penalty,
+        });
+        costs.collect()
+    }
+
+    fn add(&mut self, past: &Past) {
+        let more = self.vector(past);
+        for (cost, more) in self.past.iter_mut().zip(more) {
+            *cost += more;
+        }
+    }
+
+    fn join(&mut self, agent: usize, name: &str) -> Running {
+        let mut mind = self.after.fresh(agent);
+        self.do_not_count(agent, &mut mind, false);
+        let late = self
+            .after
+            .numbered(agent)
+            .map(|(number, rule)| match rule.kind {
+                Kind::Late(weight) if !self.is_new[number] => weight * (self.at - rule.from).max(0),
+                _ => 0,
+            });
+        let past = Past {
+            time: self.at,
+            penalty: late.sum(),
+            ..Past::default()
+        };
+        self.add(&past);
+        self.latest = self.latest.max(self.at);
+        let states = self.after.be_there(agent, mind, self.at, true).into_iter();
+        let nothing = vec![0; self.past.len()];
+        Running {
+            name: name.to_owned(),
+            is_old: false,
+            states: states.map(|mind| (mind, nothing.clone())).collect(),
+            rest: Vec::new(),
+        }
+    }
+
+    /// Notes the zones in which an agent is not counted until it has left.
+    fn do_not_count(&self, agent: usize, mind: &mut Mind, is_held: bool) {
+        for (number, rule) in self.after.numbered(agent) {
+            if let Kind::Capacity(zone, _) | Kind::Closed(zone) = &rule.kind
+                && (self.is_new[number] || is_held)
+                && self.after.is_in(zone, agent, mind)
+            {
+                mind.uncounted.insert(number);
+            }
+        }
+    }
+
+    /// What an agent pays for some times, by the rules as they were.
+    fn penalty(&self, agent: usize, path: &[Option<Spot>], times: std::ops::Range<i64>) -> i64 {
+        let stays = !self.before.vanish;
+        let mut mind = self.before.fresh(agent);
+        let each = times.map(|time| {
+            mind.place = match on(path, time, stays) {
+                Some(spot) => Where::At(spot),
+                None => Where::On(
+                    on(path, time - 1, stays).unwrap(),
+                    on(path, time + 1, stays).unwrap(),
+                ),
+            };
+            self.before.penalty(agent, &mind, time)
+        });
+        each.sum()
+    }
+
+    #[allow(clippy::too_many_lines, reason = "one agent's past, thing by thing")]
+    fn go_on(
+        &mut self,
+        agent: usize,
+        name: &str,
+        (path, charges): (&[Option<Spot>], &[i64]),
+        (held, is_removed): (i64, bool),
+    ) -> Running {
+        let at = self.at;
+        let arrival = path.len() as i64 - 1;
+        let stays = !self.before.vanish;
+        let here = |time: i64| on(path, time, stays);
+        let mut mind = self.after.fresh(agent);
+        for (back, cell) in (1..).zip(&mut mind.past) {
+            *cell = here(at - back);
+        }
+        let nothing = vec![0; self.past.len()];
+        let now = at.min(arrival);
+        let mut past = Past {
+            charges: charges.iter().filter(|&&time| time < now).count() as i64,
+            ..Past::default()
+        };
+        for time in 0..now {
+            if let Some(cell) = here(time) {
+                let waits = here(time + 1) == Some(cell);
+                past.waits += i64::from(waits);
+                past.moves += i64::from(!waits);
+            }
+        }
+        if is_removed || !stays && arrival < at {
+            mind = self.after.home(&mind);
+            mind.place = Where::Gone;
+            if !is_removed {
+                past.time = arrival;
+                past.penalty = self.penalty(agent, path, 0..arrival);
+                self.add(&past);
+                self.latest = self.latest.max(arrival);
+            }
+            return Running {
+                name: name.to_owned(),
+                is_old: false,
+                states: vec![(mind, nothing)],
+                rest: Vec::new(),
+            };
+        }
+        let old = &self.before.agents[agent];
+        let been = |cell: &Spot, time: i64| (0..=time).any(|it| here(it) == Some(*cell));
+        let is_done = |time: i64| {
+            here(time) == Some(old.goal) && old.waypoints.iter().all(|cell| been(cell, time))
+        };
+        let mut since = now;
+        while stays
+            && is_done(now)
+            && since > 0
+            && is_done(since - 1)
+            && !charges.contains(&(since - 1))
+        {
+            since -= 1;
+        }
+        let stood = now - since;
+        let is_asleep = arrival < at;
+        let has_new_goal = self.after.agents[agent].goal != old.goal;
+        let mut rested = if !stays || has_new_goal {
+            0
+        } else if is_asleep {
+            at - arrival
+        } else {
+            stood
+        };
+        if !stays {
+            rested = 0;
+        }
+        let stood = if is_asleep || rested == 0 { 0 } else { stood };
+        past.waits -= stood;
+        past.time = at - rested;
+        past.penalty = self.penalty(agent, path, 0..at - rested);
+        let going = Past {
+            time: rested,
+            waits: stood,
+            penalty: self.penalty(agent, path, at - rested..at),
+            ..Past::default()
+        };
+        // What it is like.
+        mind.place = match here(at) {
+            Some(cell) => Where::At(cell),
+            None => Where::On(here(at - 1).unwrap(), here(at + 1).unwrap()),
+        };
+        if let Some((capacity, initial)) = old.battery {
+            let mut level = initial;
+            for time in 0..now {
+                level = if charges.contains(&time) {
+                    capacity
+                } else {
+                    level - 1
+                };
+            }
+            mind.level = Some(level);
+        }
+        mind.seen = self.after.agents[agent].waypoints.clone();
+        mind.seen
+            .retain(|cell| (0..at).any(|time| here(time) == Some(*cell)));
+        let (mut sequence, mut visit, mut wait) = (0, 0, 0);
+        let mut last_move = None;
+        for time in 0..at {
+            if let (Some(from), Some(to)) = (here(time), here(time + 1).or_else(|| here(time + 2)))
+                && from != to
+            {
+                let end = if here(time + 1).is_some() {
+                    time + 1
+                } else {
+                    time + 2
+                };
+                last_move = Some((end, direction(from, to)));
+            }
+        }
+        for (number, rule) in self.after.numbered(agent) {
+            match &rule.kind {
+                Kind::Sequence(cells) => {
+                    let done = &mut mind.done[sequence];
+                    for time in 0..at {
+                        while *done < cells.len() && here(time) == Some(cells[*done]) {
+                            *done += 1;
+                        }
+                    }
+                    sequence += 1;
+                }
+                Kind::Visit(cell, stay) => {
+                    let run = &mut mind.stays[visit];
+                    for time in 0..at {
+                        if *run <= *stay {
+                            let there = here(time) == Some(*cell) && rule.is_about(time);
+                            *run = if there { *run + 1 } else { 0 };
+                        }
+                    }
+                    visit += 1;
+                }
+                Kind::NoWaiting(_, most) => {
+                    let from = if self.is_new[number] { at } else { 0 };
+                    let mut time = at;
+                    while time > from
+                        && !is_asleep
+                        && here(time - 1).is_some()
+                        && here(time - 1) == here(time)
+                    {
+                        time -= 1;
+                    }
+                    mind.waited[wait] = (at - time).min(*most);
+                    wait += 1;
+                }
+                Kind::Turns(_) => {
+                    if let Some((_, facing)) = last_move {
+                        mind.facing = Some(facing);
+                    }
+                    let end = last_move.map_or(0, |(end, _)| end);
+                    mind.stood = (at - end).max(0).min(self.after.patience(agent));
+                }
+                _ => {}
+            }
+        }
+        let is_along = matches!(mind.place, Where::On(..));
+        mind.held = if held > 0 {
+            held + i64::from(is_along)
+        } else {
+            0
+        };
+        self.do_not_count(agent, &mut mind, held > 0);
+        let rest: Vec<Spot> = {
+            let mut rest: Vec<Spot> = (at..=arrival.max(at)).filter_map(here).collect();
+            rest.dedup();
+            rest
+        };
+        let (going, goal) = (self.vector(&going), self.after.agents[agent].goal);
+        let mut states = Vec::new();
+        for mind in self.after.be_there(agent, mind, at, false) {
+            if mind.place == Where::At(goal) {
+                let arrived = at - rested;
+                let is_in_time = self.after.numbered(agent).all(|(number, rule)| {
+                    let is_old = !self.is_new[number];
+                    !matches!(rule.kind, Kind::Arrive) || !is_old || rule.is_about(arrived)
+                });
+                let is_rest = rested > 0;
+                let may_rest = if is_rest { is_in_time } else { true };
+                if may_rest && self.after.may_arrive(agent, &mind, at, is_rest) {
+                    states.push((self.after.home(&mind), nothing.clone()));
+                }
+            }
+            states.push((mind, going.clone()));
+        }
+        self.add(&past);
+        self.latest = self.latest.max(at - rested);
+        Running {
+            name: name.to_owned(),
+            is_old: true,
+            states,
+            rest,
+        }
+    }
+
+    /// The names of the agents that were there before.
+    pub fn old(&self) -> Vec<&str> {
+        let old = self.agents.iter().filter(|agent| agent.is_old);
+        old.map(|agent| agent.name.as_str()).collect()
+    }
+
+    /// The best way to go on, where the agents of these names are held to the rest of their
+    /// paths.
+    pub fn best(&mut self, held: &[&str], most: usize) -> Answer {
+        for (agent, running) in self.after.agents.iter_mut().zip(&self.agents) {
+            let is_held = held.contains(&running.name.as_str());
+            agent.path = is_held.then(|| running.rest.clone());
+        }
+        let nothing = vec![0; self.past.len()];
+        let mut starts = vec![(Vec::new(), nothing)];
+        for (number, running) in self.agents.iter().enumerate() {
+            let is_held = held.contains(&running.name.as_str());
+            let states = running.states.iter().filter(|(mind, _)| {
+                // One that is held to a path that leads on goes on.
+                !is_held || running.rest.len() < 2 || mind.place != Where::Home
+            });
+            let states: Vec<&(Mind, Vec<i64>)> = states.collect();
+            let ends_here = is_held && {
+                let path = running.rest.last();
+                path != Some(&self.after.agents[number].goal)
+            };
+            let longer = |(head, paid): &(Vec<Mind>, Vec<i64>)| -> Vec<(Vec<Mind>, Vec<i64>)> {
+                let with = |(mind, costs): &&(Mind, Vec<i64>)| {
+                    let costs = paid.iter().zip(costs).map(|(a, b)| a + b).collect();
+                    ([head.clone(), vec![mind.clone()]].concat(), costs)
+                };
+                if ends_here {
+                    return Vec::new();
+                }
+                states.iter().map(with).collect()
+            };
+            starts = starts.iter().flat_map(longer).collect();
+        }
+        let been = self.been.clone();
+        match best_from(&self.after, (self.at, starts, &been), None, most) {
+            Answer::Best(mut costs) => {
+                let objective = self.after.objective.iter();
+                for ((cost, past), name) in costs.iter_mut().zip(&self.past).zip(objective) {
+                    *cost += if name == "makespan" {
+                        if *cost == 0 { self.latest } else { self.at }
+                    } else {
+                        *past
+                    };
+                }
+                Answer::Best(costs)
+            }
+            answer => answer,
+        }
+    }
+
+    /// The costs in their order.
+    pub fn objective(&self) -> &[String] {
+        &self.after.objective
+    }
+}

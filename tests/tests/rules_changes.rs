@@ -1,0 +1,195 @@
+//! Plans that go on when the world changes, under rules of a scene's own: the solver against
+//! joint states, exhausted from the time of the change on.
+//!
+//! `GIVEWAY_RULE_CHANGES` sets how many random changes each test compares,
+//! `GIVEWAY_RANDOM_SEED` the seed. The long run:
+//!
+//! ```text
+//! GIVEWAY_RULE_CHANGES=20000 cargo test --release -p giveway-tests --test rules_changes
+//! ```
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use giveway_model::change::Changes;
+use giveway_model::check::{check, check_changes};
+use giveway_model::format::native;
+use giveway_model::{Instance, Objective, Plan};
+use giveway_solve::change::{Method, MethodAnswer};
+use giveway_solve::{Ended, Status};
+use giveway_tests::environment;
+use giveway_tests::going_on::{go_on, plan_of};
+use giveway_tests::rules_oracle::{Answer, ChangedRules};
+use giveway_tests::rules_random::{KINDS, changes_of_rules, scene_to_change};
+use serde_json::{Value, json};
+
+/// Joint states that the oracle looks at.
+const MOST_STATES: usize = 20_000;
+
+/// A plan around which the world changes.
+struct Case {
+    text: String,
+    scene: Value,
+    instance: Instance,
+    plan: Plan,
+    changes: Vec<Value>,
+    read: Changes,
+}
+
+impl Case {
+    fn random(seed: u64, number: u64, kinds: &[&str]) -> Option<Self> {
+        let (scene, rule) = scene_to_change(seed, number, kinds);
+        let instance = native::read_instance(&scene.to_string()).unwrap();
+        let plan = plan_of(&instance)?;
+        assert!(check(&instance, &plan).is_valid());
+        let longest = plan.paths.values().map(Vec::len).max().unwrap_or(1);
+        let changes = changes_of_rules(seed, number, (&scene, &rule), longest as u32 - 1);
+        let file = json!({ "giveway": 1, "changes": changes }).to_string();
+        let read = native::read_changes(&file).unwrap();
+        let plan_text = serde_json::to_string(&plan).unwrap();
+        Some(Self {
+            text: format!("{number} {kinds:?}\n{scene}\n{plan_text}\n{file}"),
+            scene,
+            instance,
+            plan,
+            changes,
+            read,
+        })
+    }
+}
+
+/// The fewest agents freed of a method that holds the others, and the best plan then; `None`
+/// where there are too many states.
+fn fewest(world: &mut ChangedRules, holds: bool) -> Option<Option<(usize, Vec<i64>)>> {
+    let old: Vec<String> = world.old().into_iter().map(str::to_owned).collect();
+    let most = if holds { old.len() } else { 0 };
+    for size in 0..=most {
+        let mut best: Option<Vec<i64>> = None;
+        for set in 0_u32..1 << old.len() {
+            if set.count_ones() as usize != size {
+                continue;
+            }
+            let is_held = |i: &usize| holds && set & 1 << i == 0;
+            let held = (0..old.len()).filter(is_held);
+            let held: Vec<&str> = held.map(|i| old[i].as_str()).collect();
+            match world.best(&held, MOST_STATES) {
+                Answer::Capped => return None,
+                Answer::Impossible => {}
+                Answer::Best(costs) => {
+                    best = Some(best.map_or(costs.clone(), |best| best.min(costs)));
+                }
+            }
+        }
+        if let Some(best) = best {
+            return Some(Some((size, best)));
+        }
+    }
+    Some(None)
+}
+
+/// What differs between an answer and the oracle.
+fn difference(
+    objective: &[String],
+    method: &MethodAnswer,
+    known: Option<&(usize, Vec<i64>)>,
+) -> Option<String> {
+    let result = &method.result;
+    let told = |what: &str| Some(format!("{what}: the oracle has {known:?}, not {method:?}"));
+    match (result.status, known) {
+        (Status::Impossible, None) => None,
+        (Status::Impossible, Some((_, costs))) => match result.reach.within() {
+            Some(within) if costs[0] > i64::from(within) => None,
+            _ => told("impossible"),
+        },
+        (Status::Optimal, None) => told("optimal"),
+        (Status::Optimal, Some((freed, costs))) => {
+            let names: Vec<_> = objective.iter().map(|name| name.parse().unwrap()).collect();
+            let objective = Objective::new(names).unwrap();
+            let own = result.costs.unwrap().vector(&objective);
+            let own: Vec<i64> = own.into_iter().map(i64::from).collect();
+            if own != *costs {
+                told("costs")
+            } else if method.freed.len() != *freed || !method.fewest {
+                told("freed")
+            } else {
+                let mut bounds = result.bounds.iter();
+                let differs = bounds.any(|(&cost, &n)| result.costs.unwrap().get(cost) != n);
+                differs.then(|| told("bounds")).flatten()
+            }
+        }
+        // The budget is small.
+        (Status::Unknown | Status::Feasible, _) => match result.ended {
+            Some(Ended::Conflicts) => None,
+            _ => told("open"),
+        },
+    }
+}
+
+/// Compares changes of so many plans; how many could be gone on with, and how many not.
+fn agree(seed: u64, count: u64, kinds: impl Fn(u64) -> Vec<&'static str>) -> [u32; 3] {
+    let (mut found, mut none, mut freed, mut differ) = (0, 0, 0, 0);
+    for number in 0..count {
+        let kinds = kinds(number);
+        let Some(case) = Case::random(seed, number, &kinds) else {
+            continue;
+        };
+        let methods = [Method::Revise, Method::Replan];
+        let Some(answer) = go_on(&case.instance, &case.plan, &case.read, &methods) else {
+            continue;
+        };
+        let at = answer.at.unwrap();
+        let mut world = ChangedRules::new(&case.scene, &case.plan, at, &case.changes);
+        for (method, holds) in [(Method::Revise, true), (Method::Replan, false)] {
+            let Some(known) = fewest(&mut world, holds) else {
+                continue;
+            };
+            let answer = answer.methods.get(method).unwrap();
+            let mut told = difference(world.objective(), answer, known.as_ref());
+            if let Some(plan) = &answer.result.plan {
+                let report = check_changes(&case.instance, &case.read, plan).unwrap();
+                if !report.is_valid() || report.costs != answer.result.costs {
+                    told = Some(format!("judge: {report:?}"));
+                }
+            }
+            match &known {
+                Some((0, _)) => found += 1,
+                Some(_) => freed += 1,
+                None => none += 1,
+            }
+            if let Some(told) = told {
+                differ += 1;
+                println!("{} {method}: {told}\n", case.text);
+            }
+        }
+    }
+    println!("{found} found, {freed} freed, {none} impossible, {differ} differ");
+    assert_eq!(differ, 0, "they are printed above");
+    [found, freed, none]
+}
+
+fn count(usual: u64) -> u64 {
+    environment::number("GIVEWAY_RULE_CHANGES", usual)
+}
+
+#[test]
+fn a_rule_that_begins_has_the_best_rest_of_the_oracle() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 5);
+    let kinds = |number: u64| vec![KINDS[number as usize % KINDS.len()]];
+    let [found, freed, none] = agree(seed, count(560), kinds);
+    assert!(found > 300 && freed > 30 && none > 30);
+}
+
+#[test]
+fn rules_in_force_have_the_best_rest_of_the_oracle() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 6);
+    let kinds = |number: u64| {
+        let number = number as usize;
+        let (i, k) = (number % KINDS.len(), number / KINDS.len() % KINDS.len());
+        vec![KINDS[i], KINDS[k]]
+    };
+    let [found, freed, none] = agree(seed, count(784), kinds);
+    assert!(found > 300 && freed > 30 && none > 30);
+}
