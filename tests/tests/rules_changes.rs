@@ -193,3 +193,68 @@ fn rules_in_force_have_the_best_rest_of_the_oracle() {
     let [found, freed, none] = agree(seed, count(784), kinds);
     assert!(found > 300 && freed > 30 && none > 30);
 }
+
+#[test]
+fn several_rules_in_force_have_the_best_rest_of_the_oracle() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 7);
+    let kinds = |number: u64| {
+        let number = number as usize;
+        let kind = |which: usize| KINDS[which % KINDS.len()];
+        vec![kind(number), kind(number / 14 + number), kind(number / 3)]
+    };
+    let [found, freed, none] = agree(seed, count(300), kinds);
+    assert!(found > 80 && freed > 5 && none > 5);
+}
+
+/// Plans that heed no rule after the change: the judge says what the oracle says.
+#[test]
+fn the_judge_agrees_on_plans_that_heed_no_rule() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 8);
+    let (mut kept, mut broken, mut differ) = (0, 0, 0);
+    for number in 0..count(900) {
+        let k = number as usize;
+        let kinds = [KINDS[k % KINDS.len()], KINDS[k / KINDS.len() % KINDS.len()]];
+        let Some(case) = Case::random(seed, number, &kinds) else {
+            continue;
+        };
+        let mut scene = case.instance.to_scene();
+        scene.constraints.clear();
+        let free = Instance::new(scene).unwrap();
+        let is_of_rules = |change: &Value| change["change"].as_str().unwrap().ends_with("straint");
+        let mut others = case.changes.clone();
+        others.retain(|change| !is_of_rules(change));
+        if others.is_empty() {
+            // Something has to change for the plan to go on.
+            others
+                .push(json!({ "change": "set-normal", "at": case.changes[0]["at"], "cells": [] }));
+        }
+        let file = json!({ "giveway": 1, "changes": others }).to_string();
+        let others = native::read_changes(&file).unwrap();
+        let Some(answer) = go_on(&free, &case.plan, &others, &[Method::Replan]) else {
+            continue;
+        };
+        let method = answer.methods.get(Method::Replan).unwrap();
+        let Some(plan) = &method.result.plan else {
+            continue;
+        };
+        // What contradicts the world is refused.
+        let Ok(report) = check_changes(&case.instance, &case.read, plan) else {
+            continue;
+        };
+        let at = answer.at.unwrap();
+        let world = ChangedRules::new(&case.scene, &case.plan, at, &case.changes);
+        let is_allowed = world.allows(plan);
+        *(if is_allowed { &mut kept } else { &mut broken }) += 1;
+        if report.is_valid() != is_allowed {
+            differ += 1;
+            let plan = serde_json::to_string(plan).unwrap();
+            println!(
+                "{} judge: {is_allowed} but {:?}\n{plan}\n",
+                case.text, report.violations
+            );
+        }
+    }
+    println!("{kept} kept, {broken} broken, {differ} differ");
+    assert_eq!(differ, 0, "they are printed above");
+    assert!(kept > 200 && broken > 100);
+}

@@ -284,6 +284,9 @@ fn changes_are_accepted() {
         { "at": 2, "change": "move-obstacle", "from": [0, 0], "to": [1, 0] },
         { "at": 2, "change": "set-slow", "cells": [[0, 0], [1, 0]] },
         { "at": 3, "change": "delay-agent", "agent": "A3", "steps": 2 },
+        { "at": 4, "change": "add-constraint", "constraint": { "kind": "gap", "steps": 1 } },
+        { "at": 5, "change": "remove-constraint", "name": "room" },
+        { "at": 5, "change": "remove-constraint", "index": 0 },
     ] });
     accepts("changes", &changes);
     for (pointer, bad) in [
@@ -293,6 +296,9 @@ fn changes_are_accepted() {
         ("/changes/2/cells", Value::Null),
         ("/changes/3/steps", json!("two")),
         ("/changes/3/extra", json!(1)),
+        ("/changes/4/constraint/steps", Value::Null),
+        ("/changes/5/index", json!(1)),
+        ("/changes/6/index", json!("room")),
     ] {
         refuses_with("changes", &changes, pointer, bad);
     }

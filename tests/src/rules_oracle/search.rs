@@ -251,7 +251,7 @@ impl RuleScene {
         })
     }
 
-    fn been(&self, minds: &[&Mind], before: &[bool]) -> Vec<bool> {
+    pub(super) fn been(&self, minds: &[&Mind], before: &[bool]) -> Vec<bool> {
         let orders = self.orders().zip(before);
         orders
             .map(|((first, _), &been)| been || self.cell(first.0, minds[first.0]) == Some(first.1))
@@ -259,7 +259,7 @@ impl RuleScene {
     }
 
     /// Whether agents may be where they are at a time; `been` of the time before.
-    fn may_be(&self, minds: &[&Mind], time: i64, been: &[bool]) -> bool {
+    pub(super) fn may_be(&self, minds: &[&Mind], time: i64, been: &[bool]) -> bool {
         let cells: Vec<Option<Spot>> = minds
             .iter()
             .enumerate()

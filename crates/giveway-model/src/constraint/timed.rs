@@ -7,9 +7,9 @@ use crate::condition::Times;
 ///
 /// It is judged from the time at which a change added it, and before the time at which one
 /// removed it: a violation of another time is none. What must be done at some time
-/// (`sequence`, `visit`, `arrive`) is judged at the arrival, or when the constraint was added,
-/// whichever is later; so what was not done yet is no violation of a constraint that was
-/// removed before.
+/// (`sequence`, `visit`) is judged at the arrival, or when the constraint was added, whichever
+/// is later. Where a change removed the constraint, what was not done yet is no violation,
+/// nor is an arrival that was too early: an agent that is still there could have gone on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TimedConstraint {
     /// The constraint.

@@ -1,6 +1,6 @@
 //! Changes as files: read, written, and refused with line and column.
 
-use giveway_model::change::{Changes, What};
+use giveway_model::change::{Changes, ConstraintRef, What};
 use giveway_model::format::native::read_changes;
 
 use super::changes;
@@ -68,6 +68,41 @@ fn what_is_wrong_with_a_file_has_a_place() {
         r#"{ "at": 1, "change": "grow" }"#,
         "line 2, column 36: changes[0].change: found \"grow\", expected one of add-agent remove-agent \
          add-obstacle remove-obstacle move-obstacle set-slow set-normal add-charger remove-charger \
-         set-goal add-waypoint drop-waypoint set-battery delay-agent",
+         set-goal add-waypoint drop-waypoint set-battery delay-agent add-constraint \
+         remove-constraint",
     );
+}
+
+#[test]
+fn rules_are_read_and_written_again() {
+    let text = r#"{ "giveway": 1, "changes": [
+        { "at": 1, "change": "add-constraint",
+          "constraint": { "kind": "gap", "steps": 2, "name": "room" } },
+        { "at": 2, "change": "remove-constraint", "name": "room" },
+        { "at": 3, "change": "remove-constraint", "index": 4 }
+    ] }"#;
+    let changes = read_changes(text).unwrap();
+    assert!(
+        matches!(&changes.changes[0].what, What::AddConstraint { constraint }
+        if constraint.name.as_deref() == Some("room"))
+    );
+    let which = |name: &str| What::RemoveConstraint {
+        constraint: ConstraintRef::Name(name.to_owned()),
+    };
+    assert_eq!(changes.changes[1].what, which("room"));
+    let index = What::RemoveConstraint {
+        constraint: ConstraintRef::Index(4),
+    };
+    assert_eq!(changes.changes[2].what, index);
+    let again = serde_json::to_string(&changes).unwrap();
+    assert_eq!(read_changes(&again).unwrap(), changes);
+    for bad in [
+        r#"{ "at": 1, "change": "remove-constraint" }"#,
+        r#"{ "at": 1, "change": "remove-constraint", "name": "a", "index": 1 }"#,
+        r#"{ "at": 1, "change": "add-constraint", "name": "a" }"#,
+        r#"{ "at": 1, "change": "add-constraint", "constraint": { "kind": "gap" } }"#,
+    ] {
+        let text = format!(r#"{{ "giveway": 1, "changes": [{bad}] }}"#);
+        assert!(read_changes(&text).is_err(), "{bad}");
+    }
 }

@@ -9,6 +9,7 @@
 mod broken;
 mod files;
 mod refused;
+mod rules;
 mod valid;
 
 use giveway_model::change::Changes;

@@ -1,18 +1,18 @@
 //! Rules that an agent keeps by itself, as parts of its task.
 
 use giveway_model::{
-    Cell, Cost, StartState,
+    Cell,
     condition::Times,
     constraint::{ConstraintKind, InForce, meant},
     sorting::sort,
 };
 
-use super::OwnRules;
+use super::{OwnRules, past::left};
 use crate::{
     AgentId,
     single::{
-        Act, Area, Counter, Entry, Forbidden, Left, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty,
-        Stay, Task, Turns, has_to_be_at,
+        Act, Area, Counter, Entry, Forbidden, LongWait, MAX_WAYPOINTS, NoPlanAlone, Penalty, Stay,
+        Task, Turns, has_to_be_at,
     },
     terrain::{Arc, Terrain, Vertex},
 };
@@ -36,14 +36,10 @@ impl OwnRules<'_> {
             | ConstraintKind::Closed { zone, times } => {
                 let (area, times) = (self.area(zone), meant(*times));
                 if state.uncounted.contains(&rule.index) {
-                    let arcs = slow_arcs(terrain, &area);
-                    task.conditions.counters.push(Counter::Left(Left {
-                        rule: rule.index,
-                        area,
-                        arcs,
-                        closed: Some(times),
-                        rests,
-                    }));
+                    let closed = Some(times);
+                    task.conditions
+                        .counters
+                        .push(left(rule, area, (closed, rests), terrain));
                 } else {
                     close(task, terrain, &area, (times, rests));
                 }
@@ -116,68 +112,15 @@ impl OwnRules<'_> {
             // Between agents.
             ConstraintKind::Capacity { zone, .. } if state.uncounted.contains(&rule.index) => {
                 let area = self.area(zone);
-                let arcs = slow_arcs(terrain, &area);
-                task.conditions.counters.push(Counter::Left(Left {
-                    rule: rule.index,
-                    area,
-                    arcs,
-                    closed: None,
-                    rests,
-                }));
+                task.conditions
+                    .counters
+                    .push(left(rule, area, (None, rests), terrain));
             }
             ConstraintKind::Capacity { .. }
             | ConstraintKind::Gap { .. }
             | ConstraintKind::Apart { .. } => {}
         }
         Ok(())
-    }
-
-    pub(super) fn state(&self, agent: AgentId) -> &StartState {
-        let agent = self.instance.agents().get(agent);
-        let name = agent.map_or("", |agent| agent.name.as_str());
-        self.instance.start_state(name)
-    }
-
-    /// Makes an agent arrive at some of these times. One that arrived before time 0 may stay,
-    /// where that was allowed; with no time left it must.
-    fn arrive(&self, agent: AgentId, times: Times, task: &mut Task) {
-        let state = self.state(agent);
-        let has_rested = task.cost_if_it_leaves_goal > 0;
-        let may_stay = has_rested && !state.must_go_on;
-        let is_past = times.first() > times.last();
-        if is_past {
-            task.conditions.limit(Cost::Makespan, 0);
-            if !may_stay {
-                task.not_before = task.not_before.max(1);
-            }
-            return;
-        }
-        if times.first() > 0 || has_rested {
-            task.conditions.counters.push(Counter::Entry(Entry {
-                from: times.first(),
-                stood: has_rested,
-                may_stay,
-            }));
-        }
-        if let Some(by) = times.to {
-            task.conditions.limit(Cost::Makespan, by);
-        }
-    }
-
-    /// What happened before time 0, as far as rules keep an agent from something for it.
-    pub(super) fn impose_past(&self, agent: AgentId, task: &mut Task, terrain: &Terrain) {
-        let state = self.state(agent);
-        for closed in &state.closed_cells {
-            if let Some(v) = terrain.vertex(closed.cell) {
-                let to = (closed.until < u32::MAX).then_some(closed.until);
-                let times = Times { from: None, to };
-                forbid(task, Act::Stand(Area::One(v)), times);
-            }
-        }
-        if state.penalty_if_it_goes_on > 0 && task.cost_if_it_leaves_goal > 0 {
-            let penalty = Penalty::GoingOn(state.penalty_if_it_goes_on);
-            task.penalties.push(penalty);
-        }
     }
 
     /// Whether an agent stays where it arrives.
@@ -210,9 +153,17 @@ impl OwnRules<'_> {
     /// the last time.
     pub(super) fn ask_for_entry(&self, agent: AgentId, task: &mut Task) {
         let counters = &task.conditions.counters;
-        let stays_there = |counter: &Counter| {
-            matches!(counter, Counter::Stay(stay) if task.may_rest_at(stay.at)
-                && (stay.steps > 0 || stay.times.first() > 0))
+        let stays_there = |counter: &Counter| match counter {
+            Counter::Stay(stay) => {
+                (stay.steps > 0 || stay.times.first() > 0) && task.may_rest_at(stay.at)
+            }
+            Counter::LongWait(_)
+            | Counter::Sequence(_)
+            | Counter::Turns(_)
+            | Counter::Entry(_)
+            | Counter::Visited(_)
+            | Counter::Order(..)
+            | Counter::Left(_) => false,
         };
         let has_entry = |counter: &Counter| matches!(counter, Counter::Entry(_));
         if !self.rests(agent) && counters.iter().any(stays_there) && !counters.iter().any(has_entry)
@@ -282,7 +233,7 @@ fn close(task: &mut Task, terrain: &Terrain, area: &Area, (times, rests): (Times
 
 /// The slow arcs with an end in an area, in ascending order; an agent in transit at time 0
 /// is on such an arc, too.
-fn slow_arcs(terrain: &Terrain, area: &Area) -> Vec<u32> {
+pub(super) fn slow_arcs(terrain: &Terrain, area: &Area) -> Vec<u32> {
     let touches = |id: u32| {
         let (from, to) = terrain.ends(id);
         area.has(from) || area.has(to)

@@ -7,6 +7,7 @@
 mod alone;
 mod between;
 mod moving;
+mod past;
 mod precedence;
 mod table;
 

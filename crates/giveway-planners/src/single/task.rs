@@ -309,12 +309,11 @@ impl Task {
     /// The penalty for the steps from a time up to an arrival, wherever they lead.
     pub fn penalty_of_time(&self, from: u32, arrival: u32) -> u32 {
         let each = self.penalties.iter().map(|penalty| match penalty {
-            Penalty::Avoid(..) => 0,
             Penalty::Late { by, weight } => arrival
                 .saturating_sub(from.max(*by))
                 .saturating_mul(*weight),
             Penalty::GoingOn(cost) if from == 0 && arrival > 0 => *cost,
-            Penalty::GoingOn(_) => 0,
+            Penalty::Avoid(..) | Penalty::GoingOn(_) => 0,
         });
         each.fold(0, u32::saturating_add)
     }

@@ -119,7 +119,7 @@ pub(super) fn out_of_order(rows: &[&Row<'_>], cells: &[Cell], broken: &mut Broke
             }
         }
         if let Some(&missed) = left.first() {
-            broken.never_done(row.arrival, row.agent, missed);
+            broken.never_done(row, missed);
         }
     }
 }
@@ -131,7 +131,10 @@ pub(super) fn arrived(rows: &[&Row<'_>], times: Times, broken: &mut Broken<'_, '
         let is_met = if row.arrival == 0 && row.start.rested > 0 {
             !row.start.must_go_on
         } else {
-            meant(times).contains(row.arrival)
+            // One that came too early may go on once the rule is gone.
+            let times = meant(times);
+            let is_early = row.arrival < times.first() && row.arrival <= times.last();
+            times.contains(row.arrival) || is_early && !broken.is_settled(row)
         };
         if !is_met {
             let end = row.at(row.arrival);
@@ -165,7 +168,7 @@ pub(super) fn not_visited(
             is_met |= run > 0 && until <= times.last() && (needed == 0 || rests);
         }
         if !is_met {
-            broken.never_done(row.arrival, row.agent, cell);
+            broken.never_done(row, cell);
         }
     }
 }

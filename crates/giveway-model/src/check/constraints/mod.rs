@@ -213,11 +213,20 @@ impl Broken<'_, '_, '_> {
         }
     }
 
+    /// Whether nothing that an agent does after the rule is gone can make up for what it did
+    /// not do before.
+    fn is_settled(&self, row: &Row<'_>) -> bool {
+        let until = self.judged.span.to.map(|last| last.saturating_add(1));
+        until.is_none_or(|until| row.gone.is_some_and(|gone| gone <= until))
+    }
+
     /// Notes what was never done, up to an arrival: a rule that was added later is judged
     /// from then on.
-    fn never_done(&mut self, arrival: u32, agent: usize, cell: Cell) {
-        let time = arrival.max(self.judged.span.first());
-        self.at(time, &[agent], vec![cell]);
+    fn never_done(&mut self, row: &Row<'_>, cell: Cell) {
+        let time = row.arrival.max(self.judged.span.first());
+        if self.is_settled(row) {
+            self.at(time, &[row.agent], vec![cell]);
+        }
     }
 
     fn is_full(&self) -> bool {

@@ -5,16 +5,15 @@
 //! to visit a cell), and else into the agents' [start states](StartState). Rules that are
 //! met, past or removed are off.
 
+mod alone;
+mod between;
 mod progress;
-
-use std::collections::BTreeMap;
 
 use super::RunningAgent;
 use crate::change::{History, Timeline, Trajectory};
-use crate::check::{penalty_until, waits_on_end};
-use crate::condition::{Times, Visit};
-use crate::constraint::{ConstraintKind, MAX_NUMBER, TimedConstraint, meant};
-use crate::{Agent, Cell, ClosedCell, Constraint, Plan, StartState};
+use crate::condition::Times;
+use crate::constraint::{ConstraintKind, MAX_NUMBER, TimedConstraint};
+use crate::{Agent, Constraint, Plan, StartState};
 
 /// An agent of the rest, as it is being made.
 pub(super) struct Resumed<'a> {
@@ -141,19 +140,7 @@ impl<'a> RestOfRules<'a> {
                 }
             }
             ConstraintKind::Visit { cell, stay, times } => {
-                let mut left = Vec::new();
-                for &number in bound {
-                    let Some(resumed) = agents.get_mut(number) else {
-                        continue;
-                    };
-                    let past = resumed.past;
-                    let run = past.map_or(Some(0), |past| self.stayed(*cell, *stay, *times, &past));
-                    let Some(run) = run else { continue };
-                    left.push(resumed.agent.name.clone());
-                    if run > 0 {
-                        resumed.state.begun.insert(index, run);
-                    }
-                }
+                let left = self.still_to_visit(index, (*cell, *stay, *times), bound, agents);
                 if left.is_empty() {
                     return None;
                 }
@@ -165,14 +152,7 @@ impl<'a> RestOfRules<'a> {
                 return Some((rest, Some(left)));
             }
             ConstraintKind::Arrive { times } => {
-                for &number in bound {
-                    if let Some(Resumed { state, .. }) = agents.get_mut(number) {
-                        let arrival = self.at - state.rested;
-                        let is_judged = timed.since.is_none_or(|since| since <= arrival);
-                        let is_met = meant(*times).contains(arrival);
-                        state.must_go_on |= state.rested > 0 && is_judged && !is_met;
-                    }
-                }
+                self.judge_rests(timed, *times, bound, agents);
                 ConstraintKind::Arrive {
                     times: self.shift(*times).unwrap_or(NEVER),
                 }
@@ -193,17 +173,7 @@ impl<'a> RestOfRules<'a> {
                 kind.clone()
             }
             ConstraintKind::NoWaiting { zone, .. } => {
-                let has = |cell: Cell| self.zone_has(zone, cell);
-                for &number in bound {
-                    if let Some(resumed) = agents.get_mut(number)
-                        && let Some(past) = resumed.past
-                        && has(resumed.agent.start)
-                    {
-                        let since = timed.since.unwrap_or(0);
-                        let run = waits_on_end(self.past, &past, (since, self.at));
-                        resumed.state.begun.insert(index, run);
-                    }
-                }
+                self.count_waits((index, timed), zone, bound, agents);
                 kind.clone()
             }
             ConstraintKind::OneWay { .. }
@@ -221,141 +191,6 @@ impl<'a> RestOfRules<'a> {
         };
         let from = times.from.map(|from| from.saturating_sub(self.at));
         Some(Times { from, to })
-    }
-
-    /// A precedence whose first agent has vanished: where it never was at its cell, that of
-    /// the second is closed for ever.
-    fn without_first(
-        &self,
-        index: usize,
-        timed: &TimedConstraint,
-        agents: &mut [Resumed<'a>],
-    ) -> Option<(ConstraintKind, Option<Vec<String>>)> {
-        let ConstraintKind::Before { first, second } = &timed.constraint.kind else {
-            return None;
-        };
-        let since = timed.since.unwrap_or(0);
-        let mut gone = self.gone.iter();
-        let gone = gone.find(|it| it.timeline.name() == first.agent)?;
-        let is_bound = timed.is_there(self.at)
-            && !timed.constraint.off
-            && !gone.is_removed()
-            && gone.end() >= since;
-        if is_bound && !self.has_been(first.cell, gone) {
-            let Visit { agent, cell } = second;
-            let mut agents = agents.iter_mut();
-            let second = agents.find(|it| it.agent.name == *agent)?;
-            second.state.closed_cells.push(ClosedCell {
-                cell: *cell,
-                until: u32::MAX,
-                rule: index,
-            });
-        }
-        None
-    }
-
-    /// Closes the cells that agents have just left to the others.
-    fn close_behind(
-        &self,
-        (index, timed): (usize, &TimedConstraint),
-        steps: u32,
-        bound: &[usize],
-        agents: &mut [Resumed<'a>],
-    ) {
-        let since = timed.since.unwrap_or(0);
-        let is_named = |name: &str| {
-            let names = timed.constraint.agents.as_ref();
-            names.is_none_or(|names| names.iter().any(|it| it == name))
-        };
-        let there = bound.iter().filter_map(|&number| agents.get(number)?.past);
-        let gone = self.gone.iter().copied();
-        let gone = gone.filter(|it| is_named(it.timeline.name()) && it.end() >= since);
-        // Each cell with those who were there, each with the last time.
-        let mut left: BTreeMap<Cell, BTreeMap<String, u32>> = BTreeMap::new();
-        for past in there.chain(gone) {
-            for time in self.at.saturating_sub(steps)..self.at {
-                if let Some(cell) = past.at(time) {
-                    let visitors = left.entry(cell).or_default();
-                    visitors.insert(past.timeline.name().to_owned(), time);
-                }
-            }
-        }
-        for &number in bound {
-            let Some(resumed) = agents.get_mut(number) else {
-                continue;
-            };
-            for (&cell, visitors) in &left {
-                let others = visitors
-                    .iter()
-                    .filter(|(name, _)| **name != resumed.agent.name);
-                let last = others.map(|(_, &time)| time).max();
-                if let Some(until) = last.and_then(|last| (last + steps).checked_sub(self.at)) {
-                    resumed.state.closed_cells.push(ClosedCell {
-                        cell,
-                        until,
-                        rule: index,
-                    });
-                }
-            }
-        }
-    }
-
-    /// Notes the agents that a rule about a zone does not count until they have left it.
-    fn do_not_count(
-        &self,
-        (index, timed): (usize, &TimedConstraint),
-        zone: &str,
-        bound: &[usize],
-        agents: &mut [Resumed<'a>],
-    ) {
-        for &number in bound {
-            let Some(resumed) = agents.get_mut(number) else {
-                continue;
-            };
-            let breakdowns = self.breakdowns(resumed);
-            let mut begins = timed.since.into_iter().chain(breakdowns);
-            if begins.any(|begin| self.is_kept_in(zone, begin, resumed)) {
-                resumed.state.uncounted.push(index);
-            }
-        }
-    }
-
-    /// Where an agent faces, and for how long it has stood.
-    fn turn(&self, resumed: &mut Resumed<'a>) {
-        let Some(past) = &resumed.past else { return };
-        let last = self.last_move(past);
-        if let Some((_, heading)) = last {
-            resumed.agent.heading = heading;
-        }
-        let since = last.map_or(resumed.timeline.from, |(end, _)| end);
-        resumed.state.stood = self.at.saturating_sub(since);
-    }
-
-    /// What an agent has paid already, and what it pays if it does not stay where it rested.
-    fn pay(&self, resumed: &mut Resumed<'a>) {
-        let name = resumed.timeline.name();
-        if resumed.past.is_none() {
-            let rules = self.history.constraints().iter();
-            let rules = rules.filter(|it| it.is_there(self.at) && !it.constraint.off);
-            let late = rules.filter_map(|timed| {
-                let Constraint { kind, agents, .. } = &timed.constraint;
-                let ConstraintKind::Late { by, weight } = kind else {
-                    return None;
-                };
-                let is_bound = agents
-                    .as_ref()
-                    .is_none_or(|names| names.iter().any(|it| it == name));
-                let from = timed.since.unwrap_or(0).max(*by);
-                let late = self.at.saturating_sub(from).saturating_mul(*weight);
-                is_bound.then_some(late)
-            });
-            resumed.running.spent.penalty = late.fold(0, u32::saturating_add);
-            return;
-        }
-        let until = |time| penalty_until(self.past, self.plan, name, time);
-        let spent = until(self.at - resumed.state.rested);
-        resumed.running.spent.penalty = spent;
-        resumed.state.penalty_if_it_goes_on = until(self.at).saturating_sub(spent);
     }
 }
 

@@ -96,3 +96,51 @@ fn what_is_too_large_to_plan_for_is_not_ruled_out() {
     let answer = changed(&scene, &paths, delay, (Method::Revise, Some(27)));
     assert_eq!(answer.result.status, Status::Unknown, "{answer:?}");
 }
+
+#[test]
+fn a_rule_on_the_old_path_is_the_cause() {
+    let scene = r#"{ "giveway": 1, "map": ["....", "...."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [3, 0] }],
+        "zones": [{ "name": "door", "cells": [[2, 0]] }] }"#;
+    let closed = r#"{ "at": 1, "change": "add-constraint", "constraint":
+        { "kind": "closed", "zone": "door", "name": "people crossing" } }"#;
+    let path = r#"{ "A1": [[0, 0], [1, 0], [2, 0], [3, 0]] }"#;
+    let answer = changed(scene, path, closed, (Method::Revise, None));
+    assert_eq!(answer.freed, ["A1"]);
+    let cause = answer.cause.unwrap();
+    assert_eq!(cause.kind, CauseKind::Rule);
+    assert_eq!(cause.cell, Some((2, 0).into()));
+    assert_eq!(cause.rule.as_ref().unwrap().index, 0);
+    let told = crate::change::words::cause(&cause);
+    let expected = "A1 cannot keep the rule 'people crossing' on its old path.";
+    assert_eq!(told, expected);
+    assert_eq!(answer.result.costs.unwrap().makespan, 5);
+    // Where it closes for a while only, the robot waits.
+    let for_a_while = closed.replace(r#""name""#, r#""to": 4, "name""#);
+    let answer = changed(scene, path, &for_a_while, (Method::Revise, None));
+    assert!(answer.freed.is_empty() && answer.cause.is_none());
+    assert_eq!(answer.result.costs.unwrap().makespan, 6);
+    // It cannot be closed where the goal is.
+    let goal = scene.replace("[[2, 0]]", "[[3, 0]]");
+    let answer = changed(&goal, path, closed, (Method::Replan, None));
+    assert_eq!(answer.result.status, Status::Impossible);
+    assert_eq!(answer.cause.unwrap().kind, CauseKind::Rule);
+}
+
+#[test]
+fn a_rule_between_robots_is_the_cause() {
+    let scene = r#"{ "giveway": 1, "map": ["....."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] },
+                   { "name": "A2", "start": [4, 0], "goal": [3, 0] }] }"#;
+    let apart = r#"{ "at": 0, "change": "add-constraint",
+        "constraint": { "kind": "apart", "distance": 2 } }"#;
+    let path = r#"{ "A1": [[0, 0], [1, 0], [2, 0]], "A2": [[4, 0], [3, 0]] }"#;
+    let answer = changed(scene, path, apart, (Method::Replan, None));
+    assert_eq!(answer.result.status, Status::Impossible);
+    let cause = answer.cause.unwrap();
+    assert_eq!((cause.kind, cause.agents.len()), (CauseKind::Blocked, 2));
+    let told = crate::change::words::cause(&cause);
+    let expected =
+        "A1 and A2 cannot all arrive and keep the rule \"All robots keep 2 apart always\".";
+    assert_eq!(told, expected);
+}
