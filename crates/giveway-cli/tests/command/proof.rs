@@ -100,9 +100,9 @@ fn a_certificate_says_the_rules_of_the_scene_s_own() {
         of a plan. A rule has the number of its place in the list of `instance.json`, from 0; rules that are
         off are not listed.
 
-        - Rule 0: At most 1 of all robots in 'bay' always. It is called `one_at a time`.
-        - Rule 1: Each cell stays free for 1 step behind any of all robots.
-        - Rule 2: Each step of all robots in 'bay' costs 2.
+        - Rule 0: At most 1 robot in 'bay'. It is called `one_at a time`.
+        - Rule 1: Each cell stays free for 1 step behind any robot.
+        - Rule 2: Each step in 'bay' costs 2.
     "#]].assert_eq(rules);
     // Without the rule it is a certificate of another scene.
     let instance = folder.read("certificate/instance.json");
