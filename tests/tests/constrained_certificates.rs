@@ -370,6 +370,32 @@ fn certified(instance: &Instance) -> (giveway_proof::Bundle, giveway_proof::Repo
 }
 
 #[test]
+fn a_request_for_a_certificate_heeds_rules() {
+    let scene = r#"{ "giveway": 1, "map": ["...."], "objective": ["makespan"],
+        "zones": [{ "name": "end", "cells": [[3, 0]] }],
+        "constraints": [{ "kind": "closed", "zone": "end", "to": 5, "name": "shut" }],
+        "agents": [{ "name": "a", "start": [0, 0], "goal": [3, 0] }] }"#;
+    let report = |scene: &str| {
+        let instance = native::read_instance(scene).unwrap();
+        let request = CertifyRequest {
+            scene: instance.to_scene(),
+            bounds: BTreeMap::from([(Cost::Makespan, 6)]),
+            complete: true,
+            ..CertifyRequest::default()
+        };
+        match serve(&Request::Certify(request), &SilentHost) {
+            Response::Certified(report) => report,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(report(scene).certified, Certified::Proved);
+    let off = scene.replace("\"to\": 5", "\"to\": 5, \"off\": true");
+    assert_eq!(report(&off).certified, Certified::NotCertified);
+    let shorter = scene.replace("\"to\": 5", "\"to\": 4");
+    assert_eq!(report(&shorter).certified, Certified::NotCertified);
+}
+
+#[test]
 fn the_known_answers_have_certificates() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/rules");
     let mut by: BTreeMap<&str, u32> = BTreeMap::new();
