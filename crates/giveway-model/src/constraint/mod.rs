@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | judge | `check/constraints` | the violations of a plan |
 //! | search | `rules` in giveway-planners | a part of the agents' tasks, or a rule between agents |
+//! | certificate | `plain/constraints` and `exhaust/constraints` in giveway-proof | clauses, and the memory of a search |
 //! | words | [`Constraint::sentence`] | a sentence |
 
 mod edited;
