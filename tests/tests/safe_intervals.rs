@@ -14,9 +14,11 @@ use giveway_planners::budget::Unlimited;
 use giveway_planners::local::{OtherAgents, Query, Reservations, Timetable, plan_one};
 use giveway_planners::problem::Problem;
 use giveway_planners::walk::{Walk, arrival, to_plan};
-use giveway_tests::environment;
+use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::{Request, Response, SilentHost, serve};
 use giveway_tests::rules_random::{KINDS, crowd_with_rules, scene_with_rules};
-use serde_json::Value;
+use giveway_tests::{environment, known};
+use serde_json::{Value, json};
 
 /// What was seen in all scenes.
 #[derive(Debug, Default)]
@@ -116,6 +118,55 @@ fn compare(scene: &Value, first: usize, seen: &mut Seen) {
     let report = check(&instance, &plan);
     assert!(report.is_valid(), "{:?} {}", report.violations, both.what);
     seen.plans += 1;
+}
+
+/// 100 agents in a warehouse of which every second aisle is one-way, by turns in both
+/// directions, with six zones in which two may be at once.
+fn warehouse() -> Instance {
+    let mut scene = known::scenario("warehouse-10-20-10-2-1", 100).to_scene();
+    let zones = [(42, 2), (53, 22), (64, 42), (75, 2), (86, 22), (97, 42)];
+    let rows = (4..62).step_by(6);
+    let lanes = rows.enumerate().map(|(number, y)| {
+        let mut lane: Vec<[u32; 2]> = (26..135).map(|x| [x, y]).collect();
+        if number % 2 == 1 {
+            lane.reverse();
+        }
+        json!({ "kind": "one-way", "lane": lane })
+    });
+    let limits =
+        zones.map(|(x, _)| json!({ "kind": "capacity", "zone": format!("zone {x}"), "most": 2 }));
+    let rules = lanes.chain(limits).map(serde_json::from_value);
+    scene.constraints = rules.collect::<Result<_, _>>().unwrap();
+    let zones = zones.map(|(x, y)| {
+        let zone = json!({ "name": format!("zone {x}"), "rect": [x, y, x + 10, y + 12] });
+        serde_json::from_value(zone)
+    });
+    scene.zones = zones.into_iter().collect::<Result<_, _>>().unwrap();
+    Instance::new(scene).unwrap()
+}
+
+#[test]
+fn a_crowd_with_lanes_and_zones_has_a_good_plan_soon() {
+    let instance = warehouse();
+    let problem = Problem::new(&instance, &Unlimited::default()).ok().unwrap();
+    let least: u32 = (0..problem.agents())
+        .map(|agent| problem.least_cost(agent))
+        .sum();
+    let sum = |planner: Planner, work: u64| {
+        let mut request = PlanRequest::new(instance.to_scene(), planner);
+        request.objective = Some("sum-of-costs".parse().unwrap());
+        request.limits.work = Some(work);
+        let Response::Planned(answer) = serve(&Request::Plan(request), &SilentHost) else {
+            unreachable!("a plan request is planned")
+        };
+        let plan = answer.plan.unwrap();
+        assert!(check(&instance, &plan).is_valid());
+        answer.costs.unwrap().sum_of_costs
+    };
+    let first = sum(Planner::Prioritised, 1_000_000);
+    assert!(first >= least, "{first}, {least}");
+    let better = sum(Planner::Lns, 2_000_000);
+    assert!(better <= least + least / 20, "{better}, {least}");
 }
 
 fn scenes(usual: u64) -> u64 {
