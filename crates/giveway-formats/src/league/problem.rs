@@ -160,6 +160,7 @@ pub(crate) fn scene(
         ..Scene::default()
     };
     notes.push(tr!("It is a problem of the League of Robot Runners, which goes on without end: here each robot has one task, in the order of the file; further tasks, and tasks that end where another one does, are left out.").to_owned());
+    notes.push(tr!("Robots turn, a step for a quarter turn. The files do not say where they face at first: it is east, as in the program of the League.").to_owned());
     if idle > 0 {
         notes.push(tr!(
             "{n} robot has no task: it has no goal, and may rest anywhere."
