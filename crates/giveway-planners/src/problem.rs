@@ -332,7 +332,8 @@ impl Problem {
 
     /// The makespan beyond which nothing is looked for, by default.
     pub fn default_horizon(&self, grid: &Grid) -> u32 {
-        self.longest + 4 * (grid.width() + grid.height()) + 10
+        let around = 4 * (grid.width() + grid.height()) + 10;
+        self.longest.saturating_add(around)
     }
 }
 

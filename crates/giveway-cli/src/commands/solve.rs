@@ -33,6 +33,12 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
     if args.pareto {
         check_front(&objective)?;
     }
+    // What a penalty costs is told, too; a front has the costs that are named.
+    let objective = if args.pareto {
+        objective
+    } else {
+        instance.in_force(objective)
+    };
     if let Some(planner) = args.planner {
         return planned::run(planner, args, (&instance, &objective), &said, common, clock);
     }

@@ -80,7 +80,12 @@ impl<'a> Table<'a> {
         let ends = rows.iter().map(Row::settled);
         let settled = ends.chain(rules.iter().filter_map(|rule| rule.since));
         let settled = settled.max().unwrap_or(0);
-        let named = rules.iter().map(|rule| rule.rule.constraint.last_time());
+        let named = rules.iter().map(|rule| {
+            let rule = rule.rule.constraint;
+            // One that begins with the last time that can be named holds from then on.
+            let begin = rule.times().and_then(|times| times.from);
+            rule.last_time().max(begin.unwrap_or(0))
+        });
         let closed = rows.iter().flat_map(|row| &row.start.closed_cells);
         let closed = closed
             .map(|closed| closed.until)
