@@ -14,9 +14,10 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
-use giveway_model::change::Changes;
+use giveway_model::change::{Changes, History};
 use giveway_model::check::{check, check_changes};
 use giveway_model::format::native;
+use giveway_model::snapshot::Snapshot;
 use giveway_model::{Instance, Objective, Plan};
 use giveway_solve::change::{Method, MethodAnswer};
 use giveway_solve::{Ended, Status};
@@ -61,9 +62,11 @@ impl Case {
     }
 }
 
-/// The fewest agents freed of a method that holds the others, and the best plan then; `None`
-/// where there are too many states.
-fn fewest(world: &mut ChangedRules, holds: bool) -> Option<Option<(usize, Vec<i64>)>> {
+/// There were too many joint states.
+struct TooMany;
+
+/// The fewest agents freed of a method that holds the others, and the best plan then.
+fn fewest(world: &mut ChangedRules, holds: bool) -> Result<Option<(usize, Vec<i64>)>, TooMany> {
     let old: Vec<String> = world.old().into_iter().map(str::to_owned).collect();
     let most = if holds { old.len() } else { 0 };
     for size in 0..=most {
@@ -76,7 +79,7 @@ fn fewest(world: &mut ChangedRules, holds: bool) -> Option<Option<(usize, Vec<i6
             let held = (0..old.len()).filter(is_held);
             let held: Vec<&str> = held.map(|i| old[i].as_str()).collect();
             match world.best(&held, MOST_STATES) {
-                Answer::Capped => return None,
+                Answer::Capped => return Err(TooMany),
                 Answer::Impossible => {}
                 Answer::Best(costs) => {
                     best = Some(best.map_or(costs.clone(), |best| best.min(costs)));
@@ -84,10 +87,10 @@ fn fewest(world: &mut ChangedRules, holds: bool) -> Option<Option<(usize, Vec<i6
             }
         }
         if let Some(best) = best {
-            return Some(Some((size, best)));
+            return Ok(Some((size, best)));
         }
     }
-    Some(None)
+    Ok(None)
 }
 
 /// What differs between an answer and the oracle.
@@ -143,7 +146,7 @@ fn agree(seed: u64, count: u64, kinds: impl Fn(u64) -> Vec<&'static str>) -> [u3
         let at = answer.at.unwrap();
         let mut world = ChangedRules::new(&case.scene, &case.plan, at, &case.changes);
         for (method, holds) in [(Method::Revise, true), (Method::Replan, false)] {
-            let Some(known) = fewest(&mut world, holds) else {
+            let Ok(known) = fewest(&mut world, holds) else {
                 continue;
             };
             let answer = answer.methods.get(method).unwrap();
@@ -257,4 +260,100 @@ fn the_judge_agrees_on_plans_that_heed_no_rule() {
     println!("{kept} kept, {broken} broken, {differ} differ");
     assert_eq!(differ, 0, "they are printed above");
     assert!(kept > 200 && broken > 100);
+}
+
+/// Two times of changes, one after the other: what is told of each plan is what the judge
+/// says of it, and no plan that is found is none.
+#[test]
+fn plans_that_go_on_twice_are_what_they_are_told_to_be() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 9);
+    let (mut twice, mut plans) = (0, 0);
+    for number in 0..count(500) {
+        let k = number as usize;
+        let kind = |which: usize| KINDS[which % KINDS.len()];
+        let kinds = [kind(k), kind(k / 14 + k), kind(k / 3)];
+        let (mut scene, later) = scene_to_change(seed, number, &kinds);
+        let rule = scene["constraints"].as_array_mut().unwrap().pop().unwrap();
+        let instance = native::read_instance(&scene.to_string()).unwrap();
+        let Some(plan) = plan_of(&instance) else {
+            continue;
+        };
+        let longest = plan.paths.values().map(Vec::len).max().unwrap_or(1) as u32 - 1;
+        let first = changes_of_rules(seed, 2 * number, (&scene, &rule), longest / 2);
+        let mut second = changes_of_rules(seed, 2 * number + 1, (&scene, &later), longest);
+        for change in &mut second {
+            let since = first[0]["at"].as_u64().unwrap() + 1;
+            change["at"] = json!(change["at"].as_u64().unwrap() + since);
+        }
+        let both = [first, second].concat();
+        let file = json!({ "giveway": 1, "changes": both }).to_string();
+        let read = native::read_changes(&file).unwrap();
+        let methods = [Method::Revise, Method::Tunnel(1), Method::Replan];
+        let Some(answer) = go_on(&instance, &plan, &read, &methods) else {
+            continue;
+        };
+        twice += u32::from(!answer.history.is_empty());
+        let earlier = answer
+            .history
+            .iter()
+            .map(|step| (Some(step.at), &step.methods));
+        for (at, methods) in earlier.chain([(answer.at, &answer.methods)]) {
+            let mut known = read.clone();
+            known.changes.retain(|change| Some(change.at) <= at);
+            for (method, found) in &methods.0 {
+                let what = format!("{number} {method} at {at:?}\n{scene}\n{file}\n{found:?}");
+                assert_ne!(found.result.ended, Some(Ended::Fault), "{what}");
+                if let Some(plan) = &found.result.plan {
+                    let report = check_changes(&instance, &known, plan).unwrap();
+                    assert_eq!(report.violations, [], "{what}");
+                    assert_eq!(report.costs, found.result.costs, "{what}");
+                    plans += 1;
+                }
+            }
+        }
+    }
+    println!("{twice} went on twice, {plans} plans");
+    assert!(twice > 100 && plans > 400);
+}
+
+/// The rest of a plan is judged by itself as it is behind the past.
+#[test]
+fn the_rest_is_judged_as_the_whole_is() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 10);
+    let (mut valid, mut broken) = (0, 0);
+    for number in 0..count(900) {
+        let k = number as usize;
+        let kinds = [KINDS[k % KINDS.len()], KINDS[k / KINDS.len() % KINDS.len()]];
+        let Some(case) = Case::random(seed, number, &kinds) else {
+            continue;
+        };
+        let past = History::new(&case.instance);
+        let Ok(history) = History::of(&case.instance, &case.read, &case.plan) else {
+            continue;
+        };
+        let at = case.read.changes[0].at;
+        let snapshot = Snapshot::new(at, &case.instance, (&past, &history), &case.plan);
+        let rest = snapshot.rest();
+        if rest.paths.len() < snapshot.instance.agents().len() {
+            continue; // one joins, and has no path yet
+        }
+        let whole = snapshot.check(&rest);
+        let own = check(&snapshot.instance, &rest);
+        let told = format!(
+            "{}\n{:?}\n{:?}",
+            case.text, whole.violations, own.violations
+        );
+        assert_eq!(whole.is_valid(), own.is_valid(), "{told}");
+        if own.is_valid() {
+            let costs = own.costs.map(|costs| snapshot.whole_costs(costs, &rest));
+            assert_eq!(costs, whole.costs, "{told}");
+        }
+        *(if own.is_valid() {
+            &mut valid
+        } else {
+            &mut broken
+        }) += 1;
+    }
+    println!("{valid} valid, {broken} broken");
+    assert!(valid > 200 && broken > 100);
 }

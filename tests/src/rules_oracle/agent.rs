@@ -63,6 +63,25 @@ fn quarters(one: i64, other: i64) -> i64 {
     (one - other).rem_euclid(4).min((other - one).rem_euclid(4))
 }
 
+impl Mind {
+    /// An agent that has arrived where it is.
+    pub(super) fn home(&self) -> Self {
+        Self {
+            place: Where::Home,
+            level: None,
+            seen: BTreeSet::new(),
+            done: Vec::new(),
+            stays: Vec::new(),
+            waited: Vec::new(),
+            stood: 0,
+            facing: None,
+            held: 0,
+            progress: 0,
+            ..self.clone()
+        }
+    }
+}
+
 impl RuleScene {
     pub(super) fn of(&self, agent: usize) -> impl Iterator<Item = &OracleRule> {
         self.numbered(agent).map(|(_, rule)| rule)
@@ -184,25 +203,8 @@ impl RuleScene {
         }
         let arrives =
             entered && here == Some(task.goal) && self.may_arrive(agent, &mind, time, false);
-        let home = self.home(&mind);
+        let home = mind.home();
         [mind].into_iter().chain(arrives.then_some(home)).collect()
-    }
-
-    /// An agent that has arrived where it is.
-    pub(super) fn home(&self, mind: &Mind) -> Mind {
-        Mind {
-            place: Where::Home,
-            level: None,
-            seen: BTreeSet::new(),
-            done: Vec::new(),
-            stays: Vec::new(),
-            waited: Vec::new(),
-            stood: 0,
-            facing: None,
-            held: 0,
-            progress: 0,
-            ..mind.clone()
-        }
     }
 
     /// Whether an agent at its goal may have arrived; `rested` where it arrived before, which

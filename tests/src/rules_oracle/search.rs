@@ -26,6 +26,9 @@ pub(super) struct Minds {
     ways: BTreeMap<(u32, i64), Ways>,
 }
 
+/// States of all agents, and what is paid for them.
+pub(super) type Start = (Vec<Mind>, Vec<i64>);
+
 /// Steps, each with the number of the state that it leads to.
 type Ways = Rc<Vec<(u32, Way)>>;
 
@@ -72,7 +75,7 @@ pub fn best(scene: &RuleScene, within: Option<i64>, most: usize) -> Answer {
 /// each precedence was at its cell before.
 pub(super) fn best_from(
     scene: &RuleScene,
-    (at, starts, before): (i64, Vec<(Vec<Mind>, Vec<i64>)>, &[bool]),
+    (at, starts, before): (i64, Vec<Start>, &[bool]),
     within: Option<i64>,
     most: usize,
 ) -> Answer {
@@ -132,7 +135,7 @@ impl<'a> Search<'a> {
     fn from(
         scene: &'a RuleScene,
         (at, known): (i64, i64),
-        starts: Vec<(Vec<Mind>, Vec<i64>)>,
+        starts: Vec<Start>,
         before: &[bool],
     ) -> Self {
         let mut search = Search {

@@ -230,6 +230,12 @@ impl Task {
         noted.map_or_else(|| self.bit(v) & mask != 0, |(_, count)| count > 0)
     }
 
+    /// Whether others wait for it to be somewhere where it has not been.
+    pub fn is_awaited(&self, mask: Mask) -> bool {
+        let mut counts = self.conditions.counts_in(mask);
+        counts.any(|(counter, count)| matches!(counter, Counter::Visited(_)) && count == 0)
+    }
+
     /// Whether a rule does not count it in its zone, where it has been there at all times up
     /// to the last one, of which the mask is.
     pub fn is_uncounted(&self, mask: Mask, rule: usize) -> bool {

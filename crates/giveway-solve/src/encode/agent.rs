@@ -82,6 +82,9 @@ pub(crate) struct MddEncoding {
     rests_on: bool,
     /// By vertex: arrived before a time, and there then.
     rest: BTreeMap<Vertex, Rest>,
+    /// Of nodes at which it may vanish, though others still wait for it to be somewhere: it
+    /// does.
+    leaves: BTreeMap<NodeId, Lit>,
     positions: BTreeMap<(u32, Vertex), Lit>,
     alone: Vec<AtMostOne>,
     battery: Option<BatteryCode>,
@@ -103,6 +106,7 @@ impl MddEncoding {
             by: Vec::new(),
             rests_on: problem.rests(id) && (task.goal.is_none() || problem.has_rules_between()),
             rest: BTreeMap::new(),
+            leaves: BTreeMap::new(),
             positions: BTreeMap::new(),
             alone: Vec::new(),
             battery: task.reserve.map(|reserve| {
@@ -229,6 +233,11 @@ impl MddEncoding {
     /// The literal "arrived before `time`, at `v`" where it stays, if it is written.
     pub(crate) fn rest(&self, v: Vertex, time: u32) -> Option<Lit> {
         self.rest.get(&v)?.at(time)
+    }
+
+    /// The literal "vanishes at a node", where it may go on from there, too.
+    pub(crate) fn leaves(&self, id: NodeId) -> Option<Lit> {
+        self.leaves.get(&id).copied()
     }
 
     /// The vertices at which it may rest, each with the literals "arrived before, and

@@ -39,7 +39,7 @@ impl Table<'_> {
 /// Moves against a lane.
 pub(super) fn against(rows: &[&Row<'_>], lane: &[Cell], broken: &mut Broken<'_, '_, '_>) {
     for row in rows {
-        for it in &row.moves {
+        for it in row.moves.iter().filter(|it| !it.is_under_way) {
             if lane.windows(2).any(|pair| pair == [it.to, it.from]) {
                 broken.at(it.begin, &[row.agent], vec![it.from, it.to]);
             }
@@ -50,7 +50,11 @@ pub(super) fn against(rows: &[&Row<'_>], lane: &[Cell], broken: &mut Broken<'_, 
 /// Moves that begin too early.
 pub(super) fn departed(rows: &[&Row<'_>], from: u32, broken: &mut Broken<'_, '_, '_>) {
     for row in rows {
-        for it in row.moves.iter().filter(|it| it.begin < from) {
+        for it in row
+            .moves
+            .iter()
+            .filter(|it| it.begin < from && !it.is_under_way)
+        {
             broken.at(it.begin, &[row.agent], vec![it.from, it.to]);
         }
     }

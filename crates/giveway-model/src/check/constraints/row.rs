@@ -16,6 +16,8 @@ pub(in super::super) struct Move {
     pub(in super::super) from: Cell,
     /// To where.
     pub(in super::super) to: Cell,
+    /// Whether it began before time 0: what must be so at its begin is past.
+    pub(in super::super) is_under_way: bool,
 }
 
 impl Move {
@@ -32,6 +34,7 @@ impl Move {
             end,
             from,
             to,
+            is_under_way: false,
         })
     }
 }
@@ -93,6 +96,7 @@ impl<'a> Row<'a> {
                 end: 1,
                 from,
                 to,
+                is_under_way: true,
             };
             moves.insert(0, arriving);
         }

@@ -27,7 +27,12 @@ impl MddEncoding {
                 Place::At(v) => self.rest(v, node.time + 1),
                 Place::Along(_) => None,
             };
-            if self.is_end(node, task) && (!self.stays || resting.is_none_or(&is_true)) {
+            let ends = if self.stays {
+                resting.is_none_or(&is_true)
+            } else {
+                self.leaves(id).is_none_or(&is_true)
+            };
+            if self.is_end(node, task) && ends {
                 return walk;
             }
             let written = self.written[id as usize] as usize;

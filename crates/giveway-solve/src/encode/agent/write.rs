@@ -163,14 +163,16 @@ impl MddEncoding {
         let time = node.time;
         let mut clause = vec![!self.nodes[id as usize]];
         if self.is_end(node, task) {
-            if !self.stays {
+            if !self.stays && !task.is_awaited(node.mask) {
                 return; // it may end here, whatever the deadline
             }
-            if !self.rests_on && time >= deadline {
+            if !self.stays {
+                let leaves = self.leaves.entry(id);
+                clause.push(*leaves.or_insert_with(|| out.fresh()));
+            } else if !self.rests_on && time >= deadline {
                 self.due.entry(time + 1).or_default().push(id);
                 return;
-            }
-            if let Place::At(v) = node.place {
+            } else if let Place::At(v) = node.place {
                 clause.extend(self.rest(v, time + 1));
             }
         }

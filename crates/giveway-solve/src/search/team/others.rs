@@ -126,12 +126,13 @@ impl Team<'_, '_> {
                         return None;
                     };
                     let is_end = code.is_end(node, task) && !task.has_been(node.mask, first.1);
-                    is_end.then(|| (code.node(id), code.rest(v, node.time + 1)))
+                    let rests = || (code.node(id), code.rest(v, node.time + 1));
+                    is_end.then(|| code.leaves(id).map_or_else(rests, |leaves| (leaves, None)))
                 });
                 let ends: Vec<(Lit, Option<Lit>)> = ends.collect();
-                for (node, rest) in ends {
+                for (end, rest) in ends {
                     let never = self.never(number);
-                    let clause = [Some(!node), rest.map(|rest| !rest), Some(never)];
+                    let clause = [Some(!end), rest.map(|rest| !rest), Some(never)];
                     let clause: Vec<Lit> = clause.into_iter().flatten().collect();
                     self.sat.clause(&clause);
                 }

@@ -4,12 +4,16 @@
 //! Times stay those of the whole plan. An agent that is gone is a state, too: a gap looks at
 //! where it was.
 
+mod edited;
+mod follow;
+
 use giveway_model::Plan;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::agent::{Mind, Where, direction};
-use super::scene::{Kind, RuleScene, Spot, spot};
-use super::search::{Answer, best_from};
+use super::scene::{Kind, RuleScene, Spot};
+use super::search::{Answer, Start, best_from};
+use edited::{Edited, edited};
 
 /// A plan and the changes of one time.
 pub struct ChangedRules {
@@ -45,6 +49,11 @@ struct Past {
     penalty: i64,
 }
 
+/// The time of the last entry of a path.
+fn ends_at(path: &[Option<Spot>]) -> i64 {
+    i64::try_from(path.len()).unwrap() - 1
+}
+
 /// Where a path has an agent at a time; `None` in transit, and once it is gone.
 fn on(path: &[Option<Spot>], time: i64, stays: bool) -> Option<Spot> {
     let time = usize::try_from(time).ok()?;
@@ -61,45 +70,14 @@ impl ChangedRules {
     /// # Panics
     /// When the scene is none, or a change is of a kind that is not known here.
     pub fn new(scene: &Value, plan: &Plan, at: u32, changes: &[Value]) -> Self {
-        let mut json = scene.clone();
-        let old = json["constraints"].as_array().unwrap().len();
-        let mut removed = Vec::new();
-        let mut gone: Vec<String> = Vec::new();
-        let mut added: Vec<String> = Vec::new();
-        let mut delays: Vec<(String, i64)> = Vec::new();
-        for change in changes {
-            let name = || change["agent"].as_str().unwrap().to_owned();
-            match change["change"].as_str().unwrap() {
-                "add-constraint" => {
-                    let rules = json["constraints"].as_array_mut().unwrap();
-                    rules.push(change["constraint"].clone());
-                }
-                "remove-constraint" => {
-                    let index = change["index"].as_u64().unwrap();
-                    removed.push(usize::try_from(index).unwrap());
-                }
-                "delay-agent" => delays.push((name(), change["steps"].as_i64().unwrap())),
-                "remove-agent" => gone.push(name()),
-                "add-agent" => {
-                    added.push(change["agent"]["name"].as_str().unwrap().to_owned());
-                    let agents = json["agents"].as_array_mut().unwrap();
-                    agents.push(change["agent"].clone());
-                }
-                "set-goal" => {
-                    let mut agents = json["agents"].as_array_mut().unwrap().iter_mut();
-                    let agent = agents.find(|agent| agent["name"] == change["agent"]);
-                    agent.unwrap()["goal"] = change["cell"].clone();
-                }
-                "add-obstacle" => {
-                    let (x, y) = spot(&change["cell"]);
-                    let (x, y) = (usize::try_from(x).unwrap(), usize::try_from(y).unwrap());
-                    let mut row: Vec<char> = json["map"][y].as_str().unwrap().chars().collect();
-                    row[x] = '#';
-                    json["map"][y] = json!(row.into_iter().collect::<String>());
-                }
-                other => panic!("no change is called {other}"),
-            }
-        }
+        let old = scene["constraints"].as_array().unwrap().len();
+        let Edited {
+            json,
+            mut removed,
+            gone,
+            added,
+            delays,
+        } = edited(scene, changes);
         let names: Vec<String> = {
             let agents = json["agents"].as_array().unwrap().iter();
             agents
@@ -125,7 +103,7 @@ impl ChangedRules {
         let at = i64::from(at);
         for (rule, is_new) in after.rules.iter_mut().zip(&is_new) {
             rule.agents.retain(|&agent| {
-                let arrival = plan.path(&names[agent]).len() as i64 - 1;
+                let arrival = i64::try_from(plan.path(&names[agent]).len()).unwrap() - 1;
                 let has_left = gone.contains(&names[agent])
                     || before.vanish && !added.contains(&names[agent]) && arrival < at;
                 !(has_left && *is_new)
@@ -259,7 +237,7 @@ impl ChangedRules {
         (held, is_removed): (i64, bool),
     ) -> Running {
         let at = self.at;
-        let arrival = path.len() as i64 - 1;
+        let arrival = ends_at(path);
         let stays = !self.before.vanish;
         let here = |time: i64| on(path, time, stays);
         let mut mind = self.after.fresh(agent);
@@ -269,7 +247,7 @@ impl ChangedRules {
         let nothing = vec![0; self.past.len()];
         let now = at.min(arrival);
         let mut past = Past {
-            charges: charges.iter().filter(|&&time| time < now).count() as i64,
+            charges: charges.iter().map(|&time| i64::from(time < now)).sum(),
             ..Past::default()
         };
         for time in 0..now {
@@ -280,7 +258,7 @@ impl ChangedRules {
             }
         }
         if is_removed || !stays && arrival < at {
-            mind = self.after.home(&mind);
+            mind = mind.home();
             mind.place = Where::Gone;
             if !is_removed {
                 past.time = arrival;
@@ -348,7 +326,8 @@ impl ChangedRules {
             }
             mind.level = Some(level);
         }
-        mind.seen = self.after.agents[agent].waypoints.clone();
+        let waypoints = &self.after.agents[agent].waypoints;
+        mind.seen.clone_from(waypoints);
         mind.seen
             .retain(|cell| (0..at).any(|time| here(time) == Some(*cell)));
         let (mut sequence, mut visit, mut wait) = (0, 0, 0);
@@ -433,7 +412,7 @@ impl ChangedRules {
                 let is_rest = rested > 0;
                 let may_rest = if is_rest { is_in_time } else { true };
                 if may_rest && self.after.may_arrive(agent, &mind, at, is_rest) {
-                    states.push((self.after.home(&mind), nothing.clone()));
+                    states.push((mind.home(), nothing.clone()));
                 }
             }
             states.push((mind, going.clone()));
@@ -446,75 +425,6 @@ impl ChangedRules {
             states,
             rest,
         }
-    }
-
-    /// Whether the rest of a plan breaks no rule. It is one of the problem without rules.
-    ///
-    /// # Panics
-    /// When the plan lacks an agent.
-    pub fn allows(&self, plan: &Plan) -> bool {
-        let stays = !self.after.vanish;
-        let mut been = self.been.clone();
-        let paths = self.agents.iter().map(|running| {
-            let from = plan.from.get(&running.name).copied().unwrap_or(0);
-            let path = plan.path(&running.name).iter();
-            let path = path.map(|entry| entry.map(|it| (i64::from(it.x), i64::from(it.y))));
-            let before = std::iter::repeat_n(None, from as usize);
-            before.chain(path).collect()
-        });
-        let paths: Vec<Vec<Option<Spot>>> = paths.collect();
-        let arrival = |agent: usize| paths[agent].len() as i64 - 1;
-        let last = (0..paths.len())
-            .map(arrival)
-            .max()
-            .unwrap_or(0)
-            .max(self.at);
-        // Each agent's states that do as the plan does, some of which differ in their batteries.
-        let is_there = |agent: usize, mind: &Mind, time: i64| {
-            let here = on(&paths[agent], time, stays);
-            match mind.place {
-                Where::Gone => true,
-                Where::Home => time >= arrival(agent),
-                Where::At(spot) => time < arrival(agent) && here == Some(spot),
-                Where::On(..) => time < arrival(agent) && here.is_none(),
-            }
-        };
-        let each = self.agents.iter().enumerate().map(|(agent, running)| {
-            let minds = running.states.iter().map(|(mind, _)| mind);
-            let minds = minds.filter(|mind| is_there(agent, mind, self.at));
-            minds.cloned().collect()
-        });
-        let mut minds: Vec<Vec<Mind>> = each.collect();
-        for time in self.at..=last {
-            let Some(now) = minds
-                .iter()
-                .map(|each| each.first())
-                .collect::<Option<Vec<&Mind>>>()
-            else {
-                return false;
-            };
-            if !self.after.may_be(&now, time, &been) {
-                return false;
-            }
-            been = self.after.been(&now, &been);
-            if time == last {
-                let now: Vec<Mind> = now.into_iter().cloned().collect();
-                return self.after.is_over(&now, time);
-            }
-            let after = minds.iter().enumerate().map(|(agent, each)| {
-                let name = &self.agents[agent].name;
-                let charges = plan.charges(name).contains(&(time as u32));
-                let ways = each
-                    .iter()
-                    .flat_map(|mind| self.after.ways(agent, mind, time));
-                let ways = ways.filter(|way| (way.costs[0] > 0) == charges);
-                let next = ways.map(|way| way.to);
-                next.filter(|mind| is_there(agent, mind, time + 1))
-                    .collect()
-            });
-            minds = after.collect();
-        }
-        true
     }
 
     /// The names of the agents that were there before.
@@ -543,7 +453,7 @@ impl ChangedRules {
                 let path = running.rest.last();
                 path != Some(&self.after.agents[number].goal)
             };
-            let longer = |(head, paid): &(Vec<Mind>, Vec<i64>)| -> Vec<(Vec<Mind>, Vec<i64>)> {
+            let longer = |(head, paid): &Start| -> Vec<Start> {
                 let with = |(mind, costs): &&(Mind, Vec<i64>)| {
                     let costs = paid.iter().zip(costs).map(|(a, b)| a + b).collect();
                     ([head.clone(), vec![mind.clone()]].concat(), costs)
