@@ -211,7 +211,8 @@ fn scenes_with_known_prices_have_these() {
             let own: Value = own.map(name).collect();
             assert!(sets.contains(&own), "{what}: {own} of {sets:?}");
             let told = answer["switch_off"].as_array().unwrap().iter();
-            let names = |set: &Value| -> Value { set.as_array().unwrap().iter().map(name).collect() };
+            let names =
+                |set: &Value| -> Value { set.as_array().unwrap().iter().map(name).collect() };
             let told: Value = told.map(names).collect();
             assert_eq!(told, known["switch_off"], "{what}");
             conflicts += 1;

@@ -75,8 +75,7 @@ pub(crate) fn refuse_constrained(scene: &Scene) -> Result<(), Refusal> {
     let Some(index) = scene.constraints.iter().position(|rule| !rule.off) else {
         return Ok(());
     };
-    let found =
-        tr!("a rule of the scene's own, which questions after a change do not heed yet");
+    let found = tr!("a rule of the scene's own, which questions after a change do not heed yet");
     let expected = tr!("rules that are off");
     let faults = vec![Fault::at(format!("constraints[{index}]"), found, expected)];
     Err(Refusal::Scene { faults })

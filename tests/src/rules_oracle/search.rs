@@ -79,8 +79,16 @@ pub(super) fn best_from(
     within: Option<i64>,
     most: usize,
 ) -> Answer {
-    let known = if within.is_some() { at } else { at.min(scene.last + 1) };
-    run(Search::from(scene, (at, known), starts, before), within, most)
+    let known = if within.is_some() {
+        at
+    } else {
+        at.min(scene.last + 1)
+    };
+    run(
+        Search::from(scene, (at, known), starts, before),
+        within,
+        most,
+    )
 }
 
 fn run(mut search: Search<'_>, within: Option<i64>, most: usize) -> Answer {

@@ -105,10 +105,9 @@ impl<'a> Counters<'a> {
                 stands = stands.max(turns.stands_before(count, passage.heading));
                 Some(turns.after_move(passage.heading))
             }
-            Counter::Sequence(_)
-            | Counter::Visited(_)
-            | Counter::Order(..)
-            | Counter::Left(_) => counter.next(count, passage),
+            Counter::Sequence(_) | Counter::Visited(_) | Counter::Order(..) | Counter::Left(_) => {
+                counter.next(count, passage)
+            }
         })?;
         Some((mask | bit, stands))
     }
