@@ -17,8 +17,8 @@ use std::path::Path;
 
 use giveway_model::check::check;
 use giveway_model::format::native;
-use giveway_model::{Cost, Instance, Objective};
-use giveway_solve::freedom::FreedomRequest;
+use giveway_model::{Cost, Instance, Objective, Question};
+use giveway_solve::explain::ExplainRequest;
 use giveway_solve::plan::{PlanEnd, PlanRequest, Planner};
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::trace::AgentLimit;
@@ -139,13 +139,21 @@ fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
 #[test]
 fn what_does_not_heed_rules_refuses_them() {
     let mut scene = scene_with_rules(31, 3, &["gap"]);
+    let changes =
+        r#"{ "giveway": 1, "changes": [{ "at": 1, "change": "remove-agent", "agent": "A0" }] }"#;
     let refuses = |scene: &Value| {
         let instance = native::read_instance(&scene.to_string()).unwrap();
-        let request = FreedomRequest {
+        let request = ExplainRequest {
             scene: instance.to_scene(),
-            ..FreedomRequest::default()
+            plan: None,
+            changes: Some(serde_json::from_str(changes).unwrap()),
+            at: None,
+            question: Question::Makespan,
+            objective: None,
+            within: None,
+            limits: Limits::default(),
         };
-        let refused = serve(&Request::Freedom(request), &SilentHost);
+        let refused = serve(&Request::Explain(request), &SilentHost);
         matches!(refused, Response::Refused(Refusal::Scene { faults })
             if faults[0].place == "constraints[0]")
     };

@@ -265,7 +265,7 @@ mod layers {
     #[test]
     fn a_clock_only_ends_a_search() {
         // The budget asks the clock, the checker of proofs has a limit of its own, and
-        // explanations share out the seconds that are left: all of it under a limit of
+        // explanations and prices share out the seconds that are left: all of it under a limit of
         // seconds only.
         let places = [
             "crates/giveway-solve/src/budget.rs",
@@ -275,6 +275,7 @@ mod layers {
             "crates/giveway-solve/src/certify.rs",
             "crates/giveway-solve/src/certify/export.rs",
             "crates/giveway-solve/src/explain/reasons.rs",
+            "crates/giveway-solve/src/price/serve.rs",
         ];
         let clocks = ["wall_seconds", "seconds_left"];
         let files = source::rust_files();

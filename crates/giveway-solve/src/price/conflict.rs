@@ -14,7 +14,7 @@ use crate::{
     budget::Budget,
     explain::{
         Core,
-        causes::Refuted,
+        causes::{Refuted, find_causes},
         group::{Group, without},
         group_mus::{Inquiry, Tried, group_mus_of_rules, rules_mus},
         unsolvable::AnyPlan,
@@ -63,7 +63,8 @@ pub(super) fn conflict(
         whole: WholePlan::default(),
     };
     let nothing = BTreeSet::new();
-    let core = group_mus_of_rules(&refuted, &nothing, unsolved.clash, &mut any_plan);
+    let mut core = group_mus_of_rules(&refuted, &nothing, unsolved.clash, &mut any_plan);
+    find_causes(&refuted, &mut core, &mut any_plan);
     let mut search = FewestRules {
         refuted: &refuted,
         any_plan: &mut any_plan,

@@ -140,7 +140,6 @@ fn a_rule_between_robots_is_the_cause() {
     let cause = answer.cause.unwrap();
     assert_eq!((cause.kind, cause.agents.len()), (CauseKind::Blocked, 2));
     let told = crate::change::words::cause(&cause);
-    let expected =
-        "A1 and A2 cannot all arrive and keep the rule \"All robots keep 2 apart always\".";
+    let expected = "A1 and A2 cannot all arrive and keep the rule \"All robots keep 2 apart\".";
     assert_eq!(told, expected);
 }
