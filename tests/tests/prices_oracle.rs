@@ -33,6 +33,10 @@ fn scenes(usual: u64) -> u64 {
 
 /// The optimum without some rules; `None` inside where there is no plan, outside where that
 /// is too much for the oracle.
+#[expect(
+    clippy::option_option,
+    reason = "no plan is an answer, and none at all where the scene is too large"
+)]
 fn optimum(text: &str, off: &[usize]) -> Option<Option<Vec<i64>>> {
     match best(&RuleScene::read(text, off), None, MOST_STATES) {
         Answer::Best(costs) => Some(Some(costs)),
@@ -157,7 +161,7 @@ fn prices_are_differences_of_two_optima() {
     for number in 0..scenes(300) {
         let kind = |step: u64| KINDS[((number + number / 14 * step) % 14) as usize];
         let kinds = [kind(1), kind(3), kind(5)];
-        let kinds = &kinds[..1 + number as usize % 3];
+        let kinds = &kinds[..=(number as usize % 3)];
         let text = scene_with_rules(77, number, kinds).to_string();
         for price in compare(&text, &format!("scene {number}, {kinds:?}")).unwrap_or_default() {
             seen[price as usize] += 1;

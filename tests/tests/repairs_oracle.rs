@@ -140,9 +140,11 @@ fn less(instance: &Instance, edit: &Edit) -> Vec<Edit> {
         | Edit::MakeNormal { .. }
         | Edit::DropWaypoint { .. }
         | Edit::Vanish
-        | Edit::LeaveOut { .. } => {}
+        | Edit::LeaveOut { .. }
         // No instance here has rules of its own.
-        Edit::SwitchOff { .. } | Edit::AllowMore { .. } | Edit::GiveUntil { .. } => {}
+        | Edit::SwitchOff { .. }
+        | Edit::AllowMore { .. }
+        | Edit::GiveUntil { .. } => {}
     }
     less
 }

@@ -200,9 +200,8 @@ enum Broken {
 fn rule_between(instance: &Instance, violation: &Violation) -> Option<Broken> {
     let index = violation.broken.as_ref()?.index;
     match &instance.constraints().get(index as usize)?.kind {
-        // An agent keeps out of a zone for nobody by itself.
-        ConstraintKind::Capacity { most: 0, .. } => None,
-        ConstraintKind::Capacity { most, .. } => Some(Broken::Capacity(*most)),
+        // Out of a zone of capacity 0 each agent keeps by itself.
+        ConstraintKind::Capacity { most, .. } => (*most > 0).then_some(Broken::Capacity(*most)),
         ConstraintKind::Gap { steps } => Some(Broken::Gap(*steps)),
         ConstraintKind::Apart { .. } => Some(Broken::Apart),
         ConstraintKind::Closed { .. }

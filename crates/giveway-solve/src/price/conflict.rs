@@ -173,16 +173,12 @@ impl FewestRules<'_, '_, '_> {
         }
     }
 
-    fn left_out(&self, rules: &BTreeSet<usize>) -> BTreeSet<Group> {
-        set(rules.iter().map(|&rule| Group::Constraint(rule)))
-    }
-
     /// Whether there is a plan without some rules.
     fn leaves_a_plan(&mut self, rules: &BTreeSet<usize>) -> Option<bool> {
         if let Some(&known) = self.known.get(rules) {
             return known;
         }
-        let left_out = self.left_out(rules);
+        let left_out = left_out(rules);
         let variant = without(self.refuted.instance, &left_out, self.refuted.deadline);
         let mut tried = self.any_plan.search(&variant);
         if matches!(tried, Tried::Unknown) {
@@ -199,9 +195,13 @@ impl FewestRules<'_, '_, '_> {
 
     /// Rules that exclude a plan without some others; `None` where that is not so for sure.
     fn core_without(&mut self, rules: &BTreeSet<usize>) -> Option<BTreeSet<usize>> {
-        let left_out = self.left_out(rules);
+        let left_out = left_out(rules);
         let core = rules_mus(self.refuted, &left_out, self.any_plan);
         // Without any rule there is a plan.
         (!core.is_empty() && core.is_disjoint(rules)).then_some(core)
     }
+}
+
+fn left_out(rules: &BTreeSet<usize>) -> BTreeSet<Group> {
+    set(rules.iter().map(|&rule| Group::Constraint(rule)))
 }

@@ -15,8 +15,8 @@ use crate::{
     solve::{self, SolveTask, Solved},
 };
 
-/// The share of what is left that the plan with all rules may take.
-const SHARE_OF_ALL: f64 = 0.5;
+/// One of so many equal parts of what is left of the budget is for the plan with all rules.
+const PARTS: u32 = 2;
 
 /// Serves a price request, and tells the host of every price.
 ///
@@ -33,13 +33,13 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
         .constraints_in_force()
         .map(|rule| rule.index)
         .collect();
-    let share = if rules.is_empty() { 1.0 } else { SHARE_OF_ALL };
+    let parts = if rules.is_empty() { 1 } else { PARTS };
     let pricing = Pricing {
         instance: &instance,
         within: request.within,
         budget: &budget,
     };
-    let all = pricing.solve(&instance, request.start.as_ref(), share);
+    let all = pricing.solve(&instance, request.start.as_ref(), parts);
     let mut answer = begun(&all, objective);
     answer.prices = rules.iter().map(|&rule| pricing.unpriced(rule)).collect();
     answer.pending = rules.len() as u32;
@@ -53,8 +53,8 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
     };
     tell(&mut answer);
     for (place, &rule) in rules.iter().enumerate() {
-        let left = (rules.len() - place) as f64;
-        answer.prices[place] = pricing.price(rule, &all.answer, 1.0 / left);
+        let left = (rules.len() - place) as u32;
+        answer.prices[place] = pricing.price(rule, &all.answer, left);
         answer.pending -= 1;
         tell(&mut answer);
     }
@@ -101,16 +101,17 @@ struct Pricing<'a, 'h> {
 }
 
 impl Pricing<'_, '_> {
-    /// The best plan of a variant, with a share of what is left of the budget.
+    /// The best plan of a variant, with one of so many equal parts of what is left of the
+    /// budget.
     fn solve(
         &self,
         instance: &Instance,
         start: Option<&giveway_model::Plan>,
-        share: f64,
+        parts: u32,
     ) -> Solved {
         let limits = Limits {
-            seconds: self.budget.seconds_left().map(|seconds| seconds * share),
-            work: self.budget.work_left().map(|work| part(work, share)),
+            seconds: self.budget.seconds_left().map(|it| it / f64::from(parts)),
+            work: self.budget.work_left().map(|work| work / u64::from(parts)),
             ..Limits::default()
         };
         let budget = Rc::new(self.budget.part(limits));
@@ -145,13 +146,13 @@ impl Pricing<'_, '_> {
     }
 
     /// The price of a rule: the best plan without it beside the best with it.
-    fn price(&self, rule: usize, with: &SolveAnswer, share: f64) -> RulePrice {
+    fn price(&self, rule: usize, with: &SolveAnswer, parts: u32) -> RulePrice {
         let mut instance = self.instance.clone();
         instance.switch_off(|other| other == rule);
         // What keeps all rules keeps the others, too.
         let Solved {
             answer: without, ..
-        } = self.solve(&instance, with.plan.as_ref(), share);
+        } = self.solve(&instance, with.plan.as_ref(), parts);
         let mut price = self.unpriced(rule);
         let objective = self.instance.objective();
         (price.price, price.exact) = compared(objective, with, &without);
@@ -177,13 +178,6 @@ impl Pricing<'_, '_> {
 
 fn difference(with: Costs, without: Costs, cost: Cost) -> i64 {
     i64::from(with.get(cost)) - i64::from(without.get(cost))
-}
-
-/// A share of some units of work.
-fn part(work: u64, share: f64) -> u64 {
-    // Of so many units a thousandth more or less does not matter.
-    let thousandths = (share * 1000.0) as u64;
-    work / 1000 * thousandths + work % 1000 * thousandths / 1000
 }
 
 /// The price of a rule by the answers with it and without it, and whether it is exact.

@@ -74,13 +74,12 @@ fn quoted(text: &str) -> (Option<Token>, usize) {
     let mut name = String::new();
     let mut chars = text.char_indices().skip(1).peekable();
     while let Some((at, c)) = chars.next() {
-        if c != '\'' {
-            name.push(c);
-        } else if chars.next_if(|&(_, next)| next == '\'').is_some() {
-            name.push(c);
-        } else {
+        // A quote of its own is doubled.
+        let is_end = c == '\'' && chars.next_if(|&(_, next)| next == '\'').is_none();
+        if is_end {
             return (Some(Token::Quoted(name)), at + 1);
         }
+        name.push(c);
     }
     (Some(Token::Mark('\'')), 1)
 }
