@@ -52,8 +52,8 @@ class Assumption(Record):
     """Something that a scene takes for granted: whatever is said of it is said under that.
 
     ``goals-chosen``: goals or tasks were chosen out of those that the file leaves open.
-    ``moving-obstacle``: its ``name``, and its cell at each time from 0 as ``path``; plans are
-    judged with it, and the search leaves it out. ``rule-left-out``: a ``rule`` of the file's
+    ``moving-obstacle``: its ``name``, and its cell at each time from 0 as ``path``; ``closed`` where
+    rules of the scene close the cells where it is. ``rule-left-out``: a ``rule`` of the file's
     problem (``turning``, ``long-moves``, ``errand-order``, ``handling``) that scenes do not
     have; bounds hold with it, too, and a plan that is found may break it. ``unknown-key``: a
     ``key`` of the file that is not heeded and may change the problem.
@@ -62,6 +62,7 @@ class Assumption(Record):
     assumes: Literal["goals-chosen", "moving-obstacle", "rule-left-out", "unknown-key"]
     name: str | None = optional()
     path: tuple[Cell, ...] = optional(default=())
+    closed: bool | None = optional()
     key: str | None = optional()
     rule: str | None = optional()
 
