@@ -5,6 +5,7 @@
 //! collisions are repaired in small groups.
 
 use crate::{
+    AgentId,
     budget::{Budget, CountedBudget, Stop},
     lacam::{Options, lacam},
     local::repair,
@@ -76,4 +77,29 @@ pub fn first_plan(
     }
     let repaired = repair(problem, apart, horizon, budget)?;
     Ok(repaired.map(|walks| (walks, First::Repair)))
+}
+
+/// A plan in which agents are planned in an order, or in one of a few like it; `None` where none is found soon. No
+/// walk is longer than the horizon.
+///
+/// # Errors
+/// When the budget is spent.
+pub fn plan_in_order(
+    problem: &Problem,
+    first: Vec<AgentId>,
+    horizon: u32,
+    budget: &dyn Budget,
+) -> Result<Option<Vec<Walk>>, Stop> {
+    let states = STATES_PER_AGENT.saturating_mul(problem.agents() as u64);
+    let part = CountedBudget::new(budget, states);
+    let order = Order::From {
+        first,
+        tries: ORDERS_UNDER_RULES,
+    };
+    match prioritised(problem, &order, horizon, false, &part).ended {
+        Ended::Found(walks) => return Ok(Some(walks)),
+        Ended::NoOrderWorks(_) => {}
+        Ended::Stopped(_) => budget.check()?, // (else only this part is spent)
+    }
+    Ok(None)
 }

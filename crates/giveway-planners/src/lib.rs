@@ -4,6 +4,7 @@
 //! ([`terrain`]), and of each agent its task, exact distances and MDD ([`single`]).
 //! Nothing here knows SAT, a clock, or a page.
 
+pub mod bottleneck;
 pub mod budget;
 pub mod calm;
 pub mod cbs;

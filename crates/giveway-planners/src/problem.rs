@@ -2,10 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::{Costs, Grid, Instance};
+use giveway_model::{Cost, Costs, Grid, Instance};
 
 use crate::{
-    budget::{Budget, Stop},
+    bottleneck::Bottlenecks,
+    budget::{Budget, Stop, Unlimited},
     rules::{Between, OwnRules, Precedence},
     single::{
         Bounds, CostToGo, MAX_WAYPOINTS, Mask, Metric, NoPlanAlone, Part, Place, Required, Task,
@@ -14,6 +15,9 @@ use crate::{
     terrain::Terrain,
     walk::{Walk, costs_of},
 };
+
+/// The least agents of which it is counted what they need at a bottleneck, for the horizon.
+const FEWEST_IN_QUEUE: usize = 4;
 
 /// Rules between agents that do not count, by the agents' numbers: what an
 /// explanation leaves out to see whether a plan exists without it.
@@ -330,10 +334,20 @@ impl Problem {
         states.checked_add(timed)?.checked_add(2)
     }
 
-    /// The makespan beyond which nothing is looked for, by default.
+    /// The makespan beyond which nothing is looked for, by default. Where agents under rules need
+    /// more at a bottleneck, it is as much later than that.
     pub fn default_horizon(&self, grid: &Grid) -> u32 {
         let around = 4 * (grid.width() + grid.height()) + 10;
-        self.longest.saturating_add(around)
+        let default = self.longest.saturating_add(around);
+        if !self.has_rules_between() {
+            return default;
+        }
+        let queues = Bottlenecks::of(self, FEWEST_IN_QUEUE, &Unlimited::default());
+        let queues = queues.unwrap_or_default();
+        match queues.bound(self, Cost::Makespan, None) {
+            Some(queue) if queue.at_least > default => queue.at_least.saturating_add(around),
+            _ => default,
+        }
     }
 }
 

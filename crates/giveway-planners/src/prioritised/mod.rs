@@ -37,6 +37,13 @@ pub enum Order {
         /// How many orders are tried.
         tries: u32,
     },
+    /// The same, beginning with one; agents that it lacks come last, by number.
+    From {
+        /// The first order.
+        first: Vec<AgentId>,
+        /// How many orders are tried.
+        tries: u32,
+    },
 }
 
 impl Default for Order {
@@ -139,6 +146,7 @@ impl Orders {
         let (given, left) = match order {
             Order::Given(given) => (given.as_slice(), 1),
             Order::Found { tries } => (&[][..], *tries),
+            Order::From { first, tries } => (first.as_slice(), *tries),
         };
         let mut first: Vec<AgentId> = Vec::new();
         for agent in given.iter().copied().chain(0..problem.agents()) {
