@@ -35,6 +35,8 @@ pub struct Thresholds {
     /// Clauses after which few joint states are exhausted instead: with a far horizon, writing
     /// clauses takes longest.
     pub patience_clauses: u64,
+    /// The least agents at a bottleneck for which it is counted what they need there.
+    pub fewest_at_gate: usize,
     /// At most this many joint states count as few.
     pub few_joint_states: usize,
 }
@@ -54,6 +56,7 @@ impl Default for Thresholds {
             small_core: 4,
             patience: 4_000,
             patience_clauses: 300_000,
+            fewest_at_gate: 4,
             few_joint_states: 200_000,
         }
     }

@@ -215,6 +215,7 @@ export type TraceEvent = {
   | { event: "entered"; agents: { agent: string; with: string[] }[] }
   | ({ event: "core" } & Core)
   | { event: "closed"; cost: Cost; condition?: TraceCondition; from: number; to: number; took: number }
+  | { event: "counted"; cost: Cost; agents: string[]; at: { passage: Cell[] } | { zone: { rule: number; most: number } }; at_least: number }
   | { event: "exhausted"; bounds: Partial<Record<Cost, number>> }
   | { event: "restarted"; why: "more-time" | "horizon" }
   | { event: "met"; costs: Partial<Record<Cost, number>>; within: number | null }
@@ -571,7 +572,7 @@ export interface CertifyRequest {
 /** A claim that was checked: by a proof, by a search, or not. */
 export type Checked = { text: string; claim: Claim } & (
   | { kind: "proof"; variables: number; clauses: number; steps: number }
-  | { kind: "search"; method: "alone" | "joint" }
+  | { kind: "search"; method: "alone" | "joint" | "counting" }
   | { kind: "none"; why: string }
 );
 

@@ -2,15 +2,17 @@
 
 use giveway_model::Cost;
 
-use super::{for_ever::LeastForEver, minima::LoneBound, stage::Search};
+use super::{counting::CountedBound, for_ever::LeastForEver, minima::LoneBound, stage::Search};
 use crate::sat::Core;
 
 /// No plan with the optima of all costs before it has less of a cost. It begins with what
-/// agents need alone, and only unsatisfiable cores raise it.
+/// agents need alone; counting at bottlenecks and unsatisfiable cores raise it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound {
     cost: Cost,
     at_least: u32,
+    /// What cores show of it, without counting: only above this is what a formula excludes.
+    by_cores: u32,
 }
 
 /// The least value of a cost: its bound, which a plan meets.
@@ -26,11 +28,20 @@ impl Bound {
         Self {
             cost,
             at_least: alone.at_least(),
+            by_cores: alone.at_least(),
+        }
+    }
+
+    /// Takes in what counting shows.
+    pub(super) fn take_counted(&mut self, counted: CountedBound) {
+        if counted.shows(self.cost, counted.at_least()).is_some() {
+            self.at_least = self.at_least.max(counted.at_least());
         }
     }
 
     /// Takes in a bound that was proved in another way.
     pub(super) fn take_known(&mut self, known: LeastForEver) {
+        self.by_cores = self.by_cores.max(known.least);
         self.at_least = self.at_least.max(known.least);
     }
 
@@ -44,19 +55,32 @@ impl Bound {
         self.at_least
     }
 
+    /// The least that cores show, without counting.
+    pub(super) const fn by_cores(self) -> u32 {
+        self.by_cores
+    }
+
+    /// Whether counting shows more than cores do.
+    pub(super) const fn is_counted(self) -> bool {
+        self.at_least > self.by_cores
+    }
+
     /// No plan meets the bound, as a core shows.
     pub(super) const fn raise(&mut self, _: &Core) {
         self.at_least += 1;
+        self.by_cores = self.at_least;
     }
 
     /// No plan has less than this much more, as a core shows: each level of what it names
     /// costs so much.
-    pub(super) const fn raise_by(&mut self, unit: u32, _: &Core) {
-        self.at_least += unit;
+    pub(super) fn raise_by(&mut self, unit: u32, _: &Core) {
+        self.by_cores += unit;
+        self.at_least = self.at_least.max(self.by_cores);
     }
 
     /// No plan has less than this, as a core shows.
     pub(super) fn raise_to(&mut self, at_least: u32, _: &Core) {
+        self.by_cores = self.by_cores.max(at_least);
         self.at_least = self.at_least.max(at_least);
     }
 

@@ -19,6 +19,7 @@ use giveway_model::{Cost, Costs, Objective, sorting::map};
 use super::{
     aim::Bounded,
     closest::NoneCloser,
+    counting::Counting,
     growing::AssumptionCore,
     horizon::{AllInTime, Horizon},
     minima::{LimitTooLow, Minima},
@@ -96,6 +97,36 @@ pub(super) fn asked_below_minimum(
         }
     }
     Ok(None)
+}
+
+/// Agents at a bottleneck that cannot all arrive in time, as counting shows; and whether they
+/// cannot at any horizon.
+pub(super) fn queue_too_long(
+    problem: &Problem,
+    bounded: &Bounded,
+    budget: &Budget,
+) -> Result<Option<(Vec<usize>, Option<ForEver<NoPlan>>)>, Stop> {
+    let mut agents = 0..problem.agents();
+    let is_limited =
+        !bounded.limits.is_empty() || agents.any(|agent| problem.not_after(agent) < u32::MAX);
+    if !(is_limited || problem.has_rules_between()) {
+        return Ok(None);
+    }
+    let counting = Counting::of(problem, budget)?;
+    let limit = bounded.limits.get(&Cost::Makespan).copied();
+    let demanded = |agent| problem.not_after(agent).min(limit.unwrap_or(u32::MAX));
+    if let Some((agents, shown)) = counting.too_late(demanded) {
+        return Ok(Some((agents, Some(shown.into()))));
+    }
+    let most = bounded.limits.get(&Cost::SumOfCosts).copied();
+    if let Some((counted, bottleneck)) = counting.bound(problem, Cost::SumOfCosts, limit)
+        && let Some(shown) = most.and_then(|most| counted.refutes(most))
+    {
+        return Ok(Some((bottleneck.agents().collect(), Some(shown.into()))));
+    }
+    let latest = bounded.latest();
+    let late = counting.too_late(|agent| demanded(agent).min(latest));
+    Ok(late.map(|(agents, _)| (agents, limits_time(problem, bounded).map(ForEver::from))))
 }
 
 /// How far it reaches that no plan is closer to a given one. No assumed deadline

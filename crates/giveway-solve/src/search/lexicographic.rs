@@ -140,6 +140,10 @@ fn run(
         verdict.clash = vec![agent];
         return Ok(SearchEnd::NoPlan(Some(too_low.into())));
     }
+    if let Some((agents, reason)) = for_ever::queue_too_long(problem, bounded, budget)? {
+        verdict.clash = agents;
+        return Ok(SearchEnd::NoPlan(reason));
+    }
     let walks = apart(problem, budget)?;
     // Outside the SAT solver each agent has a walk at its optimum.
     let insiders = problem.insiders();

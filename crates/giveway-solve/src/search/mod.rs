@@ -8,7 +8,8 @@
 //! - [`mod@closest`]: of the best plans one that is close to a given one;
 //! - [`incumbent`]: the best plan so far;
 //! - [`aim`]: what is asked for and answered;
-//! - [`minima`]: what agents need alone; [`bound`]: lower bounds, raised by cores;
+//! - [`minima`]: what agents need alone; [`counting`]: what many need at a bottleneck;
+//!   [`bound`]: lower bounds, raised by cores;
 //! - [`lexicographic`]: all of it in order; [`prove`]: the part after a first plan;
 //! - [`claim`]: what is proved, and what is under way;
 //! - [`deadlines`]: the latest arrivals that are looked at, and why;
@@ -19,6 +20,7 @@ mod aim;
 mod bound;
 mod claim;
 mod closest;
+mod counting;
 mod deadlines;
 mod feasible;
 mod for_ever;

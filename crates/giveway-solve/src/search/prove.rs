@@ -7,6 +7,7 @@ use giveway_model::{Cost, sorting};
 use super::{
     aim::{Aim, Bounded, Verdict},
     bound::Bound,
+    counting::Counting,
     deadlines::Keeping,
     for_ever::{self, ForEver, Least, LeastForEver, NoPlan, OfOptima},
     incumbent::Incumbent,
@@ -170,10 +171,27 @@ fn stages(
     search.keep_limits(bounded)?;
     let mut for_ever = OfOptima::new(problem, bounded);
     let mut optima = Vec::new();
+    let mut counting = None;
     for (i, &cost) in objective.costs().iter().enumerate() {
         let known = known.take();
         let last = i + 1 == objective.costs().len();
         let mut bound = Bound::new(cost, search.team.lone_bound(cost)?);
+        let mut counted = None;
+        if bound.met(&search).is_none() {
+            let within = search.claim.optima().get(&Cost::Makespan);
+            let within = within.or(bounded.limits.get(&Cost::Makespan)).copied();
+            let counting = match &mut counting {
+                Some(counting) => counting,
+                counting => counting.insert(Counting::of(problem, &search.budget)?),
+            };
+            if let Some((shown, bottleneck)) = counting.bound(problem, cost, within) {
+                bound.take_counted(shown);
+                search.tell_counted(bound, bottleneck);
+                verdict.bounds.insert(cost, bound.at_least());
+                search.approach(bound, bottleneck.order(cost, within))?;
+                counted = Some(shown);
+            }
+        }
         let end = if cost == Cost::Makespan {
             makespan::run(&mut search, &mut bound)
         } else {
@@ -191,7 +209,9 @@ fn stages(
             search = search.afresh(optimum, walks);
             search.keep_limits(bounded)?;
         }
+        let counted = counted.and_then(|counted| counted.shows(cost, optimum.least()));
         let known = known.map(|known| known.reason);
+        let known = known.or(counted.map(ForEver::from));
         for_ever.and(&mut search, optimum, known, bounded)?;
         optima.push(optimum.least());
         if given.aim.is_missed(&optima) || is_met(given.aim, search.incumbent) {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Costs, Objective, Version, message::read_map};
+use giveway_model::{Cell, Cost, Costs, Objective, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{AgentLeast, Core, Scope};
@@ -94,6 +94,18 @@ pub enum SearchEvent {
         /// Conflicts that it took.
         took: u64,
     },
+    /// Agents that have to pass a bottleneck are counted, and the time that it takes them one
+    /// after the other bounds a cost: of plans of any makespan, whatever else they have to keep.
+    Counted {
+        /// The cost.
+        cost: Cost,
+        /// The agents.
+        agents: Vec<String>,
+        /// Where they have to pass.
+        at: Bottleneck,
+        /// The bound.
+        at_least: u32,
+    },
     /// All positions that the agents can be in together were gone through, which
     /// shows the least values of these costs, each given those before it.
     Exhausted {
@@ -120,6 +132,21 @@ pub enum SearchEvent {
     Impossible(Cannot),
     /// The last event where the search ended early.
     Stopped(Stopped),
+}
+
+/// Where agents have to pass of which only a few can at a time.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bottleneck {
+    /// These cells in a row, where no two can pass each other.
+    Passage(Vec<Cell>),
+    /// The zone of a rule of the scene's own.
+    Zone {
+        /// The number of the rule, from 0.
+        rule: usize,
+        /// How many may be in the zone at a time.
+        most: u32,
+    },
 }
 
 /// The method that found a plan.

@@ -9,5 +9,7 @@ mod tests;
 pub mod words;
 
 pub use core::{AgentLeast, AgentLimit, Core, EarlierCore, Literals, Scope, Together};
-pub use event::{Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent};
+pub use event::{
+    Bottleneck, Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent,
+};
 pub(crate) use recorder::{Names, Recorder};

@@ -4,10 +4,11 @@
 use std::collections::BTreeMap;
 
 use giveway_model::words::{and, capital, lower, name, sentence as full, value, values};
-use giveway_model::{Cost, Objective, tr};
+use giveway_model::{Cell, Cost, Objective, tr};
 
 use super::{
-    AgentLeast, AgentLimit, Cannot, Core, Entrant, FoundBy, Restart, Scope, SearchEvent, Stopped,
+    AgentLeast, AgentLimit, Bottleneck, Cannot, Core, Entrant, FoundBy, Restart, Scope,
+    SearchEvent, Stopped,
 };
 use crate::words::{clash, known, reason};
 
@@ -60,6 +61,12 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
             let claim = tr!("No plan has less than {cost}.", cost = value(*cost, *to));
             under(scope, *cost, &claim)
         }
+        SearchEvent::Counted {
+            cost,
+            agents,
+            at,
+            at_least,
+        } => counted((*cost, *at_least), agents, at),
         SearchEvent::Exhausted { bounds } => tr!(
             "All positions that the robots can be in together were gone through. The least: {costs}.",
             costs = told(bounds)
@@ -76,6 +83,45 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
         SearchEvent::Met { costs, within } => met(objective, costs, *within),
         SearchEvent::Impossible(cannot) => impossible(cannot),
         SearchEvent::Stopped(stopped) => ended(objective, stopped),
+    }
+}
+
+/// What counting shows.
+fn counted((cost, at_least): (Cost, u32), agents: &[String], at: &Bottleneck) -> String {
+    let robots = if agents.len() > MOST_NAMES {
+        tr!("{n} robot" | "{n} robots" % agents.len())
+    } else {
+        and(agents)
+    };
+    let cost = value(cost, at_least);
+    match at {
+        Bottleneck::Passage(cells) => {
+            let (first, last) = (cells.first(), cells.last());
+            let at = |cell: Option<&Cell>| cell.map_or_else(String::new, Cell::to_string);
+            if first == last {
+                tr!(
+                    "{robots} have to pass {cell}, one after the other: no plan has less than {cost}.",
+                    robots,
+                    cell = at(first),
+                    cost
+                )
+            } else {
+                tr!(
+                    "{robots} have to pass from {first} to {last}, one after the other: no plan has less than {cost}.",
+                    robots,
+                    first = at(first),
+                    last = at(last),
+                    cost
+                )
+            }
+        }
+        Bottleneck::Zone { rule, most } => tr!(
+            "{robots} have to pass the zone of rule {number}, at most {most} at a time: no plan has less than {cost}.",
+            robots,
+            number = rule + 1,
+            most,
+            cost
+        ),
     }
 }
 

@@ -64,6 +64,7 @@ const fn bound(event: &SearchEvent) -> Option<(Option<u32>, u32)> {
         SearchEvent::Alone { at_least, .. } => Some((None, *at_least)),
         SearchEvent::Core(core) => Some((Some(core.from), core.to)),
         SearchEvent::Closed { from, to, .. } => Some((Some(*from), *to)),
+        SearchEvent::Counted { at_least, .. } => Some((None, *at_least)),
         _ => None,
     }
 }
@@ -75,6 +76,7 @@ fn verdict(objective: &Objective, event: &TraceEvent, title: &str) -> Option<Ver
         SearchEvent::Alone { .. }
         | SearchEvent::Core(_)
         | SearchEvent::Closed { .. }
+        | SearchEvent::Counted { .. }
         | SearchEvent::Exhausted { .. }
         | SearchEvent::Met { .. } => Tint::Proved,
         _ => Tint::Told,

@@ -45,6 +45,12 @@ pub(super) fn means(event: &SearchEvent) -> Option<&'static str> {
                 "The gap between the bound and the best plan stays open. Go on, or raise the time limit."
             )
         }
+        SearchEvent::Counted { .. } => {
+            tr!(
+                "Only so many robots can be there at once. So however they are planned, the last one \
+             comes through only after all others."
+            )
+        }
         SearchEvent::Exhausted { .. } => tr!("The robots are few enough to look at every case."),
         SearchEvent::Impossible(_) => {
             tr!("The facts that rule out every plan can be asked for below.")

@@ -68,7 +68,8 @@ pub(super) fn known(trace: &SearchTrace) -> Vec<Known> {
     };
     let after = |event: &TraceEvent| {
         match &event.event {
-            SearchEvent::Alone { cost, at_least, .. } => rise(&mut bounds, *cost, *at_least),
+            SearchEvent::Alone { cost, at_least, .. }
+            | SearchEvent::Counted { cost, at_least, .. } => rise(&mut bounds, *cost, *at_least),
             SearchEvent::Plan { costs, .. } => best = Some(*costs),
             SearchEvent::Phase { cost: next, .. } => cost = *next,
             SearchEvent::Core(core) => rise(&mut bounds, core.cost, core.to),
@@ -117,7 +118,10 @@ pub(super) fn text(objective: &Objective, event: &TraceEvent) -> String {
     };
     let said = said.trim_end_matches('.');
     let short = match (&event.event, said.split_once(": ")) {
-        (SearchEvent::Alone { .. } | SearchEvent::Plan { .. }, Some((short, _))) => short,
+        (
+            SearchEvent::Alone { .. } | SearchEvent::Counted { .. } | SearchEvent::Plan { .. },
+            Some((short, _)),
+        ) => short,
         _ => said,
     };
     short.to_owned()
@@ -128,6 +132,7 @@ fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
         SearchEvent::Alone { .. }
         | SearchEvent::Core(_)
         | SearchEvent::Closed { .. }
+        | SearchEvent::Counted { .. }
         | SearchEvent::Exhausted { .. } => Kind::Bound,
         SearchEvent::Plan { .. } => Kind::Plan,
         SearchEvent::Phase { .. } => Kind::Head,
@@ -143,7 +148,9 @@ fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
 fn figure(trace: &SearchTrace, event: &SearchEvent) -> Option<(&'static str, String)> {
     let at_least = |n: u32| Some((tr!("at least"), n.to_string()));
     match event {
-        SearchEvent::Alone { at_least: n, .. } => at_least(*n),
+        SearchEvent::Alone { at_least: n, .. } | SearchEvent::Counted { at_least: n, .. } => {
+            at_least(*n)
+        }
         SearchEvent::Core(core) => at_least(core.to),
         SearchEvent::Closed { to, .. } => at_least(*to),
         SearchEvent::Plan { costs, .. } => {

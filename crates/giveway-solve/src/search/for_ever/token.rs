@@ -10,6 +10,7 @@ use std::marker::PhantomData;
 use super::super::{
     bound::Optimum,
     closest::NoneCloser,
+    counting::{Counted, QueueTooLong},
     deadlines::NoHorizon,
     growing::AssumptionCore,
     horizon::AllInTime,
@@ -88,6 +89,10 @@ proofs! {
     Unmeetable => NoPlan,
     /// The least that agents need alone is above a limit.
     LimitTooLow => NoPlan,
+    /// Agents at a bottleneck cannot all arrive in time.
+    QueueTooLong => NoPlan,
     /// The least that agents need alone is the bound.
     NeededAlone => Least,
+    /// Counting at a bottleneck shows the bound.
+    Counted => Least,
 }

@@ -7,7 +7,7 @@ use crate::{
     budget::Stop,
     encode::{collisions::AgentId, limit::SumLimit},
     sat::Lit,
-    search::{aim::Bounded, minima::LimitTooLow},
+    search::{aim::Bounded, bound::Optimum, minima::LimitTooLow},
 };
 
 impl Search<'_, '_, '_> {
@@ -47,6 +47,19 @@ impl Search<'_, '_, '_> {
             self.claim.keep_outside(cost);
         }
         Ok(Ok(()))
+    }
+
+    /// Allows no plan with more of a cost than its optimum, which the agents inside have to keep
+    /// from now on, too.
+    pub(in crate::search) fn limit_from_now(&mut self, optimum: Optimum) -> Result<(), Stop> {
+        let number = self.sums.len();
+        if self.limit(optimum.cost(), optimum.least())?.is_err() {
+            return Err(Stop::Contradiction);
+        }
+        for agent in self.team.insiders() {
+            self.add_to_limit(agent, number)?;
+        }
+        Ok(())
     }
 
     /// Allows no plan whose sum of a cost is more than `most` above its bound. The sum

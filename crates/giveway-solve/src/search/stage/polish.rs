@@ -1,12 +1,15 @@
 //! Improving the best plan while the proof goes on.
 
 use giveway_model::Cost;
+use giveway_planners::first::plan_in_order;
 
 use super::Search;
 use crate::{
     budget::Stop,
+    encode::collisions::AgentId,
     lns::{Effort, Lns},
     local::Timetable,
+    search::bound::Bound,
     trace::FoundBy,
     walk::Walk,
 };
@@ -19,6 +22,10 @@ const STATES_PER_CLAUSE: u64 = 60;
 const STATES_PER_AGENT: u64 = 4000;
 /// Improvement is given up after this many turns without a gain.
 const TURNS_IN_VAIN: u64 = 2;
+/// The most states of one turn in which a plan is brought nearer to what counting shows, and how
+/// many turns without a gain end it.
+const MOST_APPROACHED: u64 = 200_000;
+const APPROACHES_IN_VAIN: u32 = 2;
 /// How much longer a state takes where agents have batteries, which safe intervals
 /// do not know.
 const DEARER: u64 = 8;
@@ -84,8 +91,8 @@ impl Search<'_, '_, '_> {
         let Some(walks) = self.incumbent.walks() else {
             return Ok(());
         };
-        let given = (walks.to_vec(), FoundBy::Lns);
-        let better = self.improve(given, cost, bound, states)?;
+        let mut walks = walks.to_vec();
+        let better = self.improve((&mut walks, FoundBy::Lns), cost, bound, states)?;
         let polishing = &mut self.polishing;
         polishing.in_vain = if better {
             0
@@ -93,6 +100,41 @@ impl Search<'_, '_, '_> {
             polishing.in_vain + states
         };
         polishing.is_slow |= polishing.in_vain >= TURNS_IN_VAIN * turn;
+        Ok(())
+    }
+
+    /// Looks for a plan that meets a bound that counting shows, since the formula proves little of
+    /// it: the best plan is improved, and one in which the agents pass the bottleneck in the
+    /// order, which loses no time there.
+    pub(crate) fn approach(&mut self, bound: Bound, order: Vec<AgentId>) -> Result<(), Stop> {
+        if let Some(walks) = self.incumbent.walks().map(<[_]>::to_vec) {
+            self.approach_from((walks, FoundBy::Lns), bound)?;
+        }
+        let latest = self.deadlines.last_cap();
+        if bound.met(self).is_none()
+            && let Some(walks) = plan_in_order(self.problem, order, latest, &self.budget)?
+        {
+            self.incumbent
+                .offer(self.problem, &walks, FoundBy::Prioritised);
+            self.approach_from((walks, FoundBy::Lns), bound)?;
+        }
+        Ok(())
+    }
+
+    /// Improves a plan as long as that brings it nearer to a bound.
+    fn approach_from(
+        &mut self,
+        (mut walks, by): (Vec<Walk>, FoundBy),
+        bound: Bound,
+    ) -> Result<(), Stop> {
+        let (cost, least) = (bound.cost(), bound.at_least());
+        let states = STATES_PER_AGENT * self.problem.agents() as u64;
+        let mut in_vain = 0;
+        while in_vain < APPROACHES_IN_VAIN && bound.met(self).is_none() {
+            let states = states.min(MOST_APPROACHED);
+            let better = self.improve((&mut walks, by), cost, least, states)?;
+            in_vain = if better { 0 } else { in_vain + 1 };
+        }
         Ok(())
     }
 
@@ -105,7 +147,7 @@ impl Search<'_, '_, '_> {
     /// bound, and keeps it if it is the best; whether it became better.
     pub(crate) fn improve(
         &mut self,
-        (mut walks, by): (Vec<Walk>, FoundBy),
+        (walks, by): (&mut Vec<Walk>, FoundBy),
         cost: Cost,
         bound: u32,
         states: u64,
@@ -120,8 +162,8 @@ impl Search<'_, '_, '_> {
         let improved =
             self.polishing
                 .lns
-                .improve(self.problem, &mut walks, effort, &objective, &self.budget);
-        self.incumbent.offer(self.problem, &walks, by);
+                .improve(self.problem, walks, effort, &objective, &self.budget);
+        self.incumbent.offer(self.problem, walks, by);
         improved
     }
 }

@@ -3,13 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::Cost;
+use giveway_planners::bottleneck::{Bottleneck, Gate};
 
 use super::Search;
 use crate::{
     budget::Stop,
     encode::collisions::AgentId,
+    search::bound::Bound,
     search::growing::{AssumptionCore, CoreEffort},
-    trace::{Core, Entrant, Literals, Scope, SearchEvent},
+    trace::{self, Core, Entrant, Literals, Scope, SearchEvent},
 };
 
 impl Search<'_, '_, '_> {
@@ -115,6 +117,23 @@ impl Search<'_, '_, '_> {
             from,
             to,
             took: effort.conflicts,
+        });
+    }
+
+    /// Counting at a bottleneck shows a bound.
+    pub(in crate::search) fn tell_counted(&self, bound: Bound, bottleneck: &Bottleneck) {
+        let terrain = &self.problem.terrain;
+        self.budget.record(|names| SearchEvent::Counted {
+            cost: bound.cost(),
+            agents: names.all(bottleneck.agents()),
+            at: match bottleneck.gate() {
+                Gate::Passage(cells) => {
+                    let cells = cells.iter().map(|&v| terrain.cell(v));
+                    trace::Bottleneck::Passage(cells.collect())
+                }
+                &Gate::Zone { rule, most } => trace::Bottleneck::Zone { rule, most },
+            },
+            at_least: bound.at_least(),
         });
     }
 

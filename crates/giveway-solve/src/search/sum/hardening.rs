@@ -20,7 +20,7 @@ impl SumStage<'_> {
         let Some(best) = search.best(self.cost) else {
             return;
         };
-        let bound = self.bound.at_least();
+        let bound = self.bound.by_cores();
         if self.hardened == Some((best, bound)) {
             return;
         }

@@ -29,7 +29,7 @@ impl SumStage<'_> {
         }
         let gap = search
             .best(self.cost)
-            .map(|best| best.saturating_sub(self.bound.at_least()));
+            .map(|best| best.saturating_sub(self.bound.by_cores()));
         let most = search.budget.thresholds().closed_gap;
         if !gap.is_some_and(|gap| (1..=most).contains(&gap)) || !search.is_polished() {
             return Ok(None);
@@ -39,7 +39,7 @@ impl SumStage<'_> {
         let Some(best) = search.best(self.cost) else {
             return Ok(None);
         };
-        let gap = best.saturating_sub(self.bound.at_least());
+        let gap = best.saturating_sub(self.bound.by_cores());
         // Where a further cost is minimised, plans as good as the best count, too.
         let levels = gap + u32::from(!self.last);
         let mut paid = Vec::new();
@@ -54,7 +54,7 @@ impl SumStage<'_> {
             let Some(best) = search.best(self.cost) else {
                 return Ok(None);
             };
-            let gap = best.saturating_sub(self.bound.at_least());
+            let gap = best.saturating_sub(self.bound.by_cores());
             let less = gap.checked_sub(1).and_then(|k| sum.get(k as usize));
             let assumptions: Vec<Lit> = less.map(|&lit| !lit).into_iter().collect();
             if gap == 0 {
@@ -76,7 +76,7 @@ impl SumStage<'_> {
                     self.harden_by_gap(search);
                 }
                 Growing::Core(core) => {
-                    search.tell_closed(self.cost, (self.bound.at_least(), best), core.effort());
+                    search.tell_closed(self.cost, (self.bound.by_cores(), best), core.effort());
                     if !self.last {
                         search.limit_above_bound(self.cost, sum, gap);
                     }

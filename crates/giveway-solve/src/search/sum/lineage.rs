@@ -113,7 +113,7 @@ impl SumStage<'_> {
             all.clone()
         };
         let scope = search.scope(&named);
-        let to = self.bound.at_least();
+        let to = self.bound.by_cores();
         budget.record(|names| {
             let limits = own.iter();
             SearchEvent::Core(Core {

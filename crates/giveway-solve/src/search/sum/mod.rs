@@ -104,6 +104,13 @@ impl<'b> SumStage<'b> {
         }
         loop {
             if let Some(optimum) = stage.bound.met(search) {
+                if stage.bound.is_counted() {
+                    // The formula does not know why, so it is told.
+                    if !last {
+                        search.limit_from_now(optimum)?;
+                    }
+                    return Ok(End::Least(optimum));
+                }
                 stage.begin_phase(search)?;
                 stage.harden(search);
                 return Ok(End::Least(optimum));

@@ -64,7 +64,7 @@ impl SumStage<'_> {
             return Ok(()); // (a plan has to be one, whatever the model says)
         }
         for _ in 0..MOST_IMPROVEMENTS {
-            let given = (walks, FoundBy::PartlySolver);
+            let given = (&mut walks, FoundBy::PartlySolver);
             if !search.improve(given, self.cost, self.bound.at_least(), STATES)? {
                 break;
             }
