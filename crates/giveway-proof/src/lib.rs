@@ -3,7 +3,7 @@
 //! A [`Claim`] says that there is no plan of some kind. [`plain`] writes it as a
 //! formula straight from the rules of the problem, [`prove()`] finds a proof in
 //! the standard format DRAT, and [`drat`] checks one, knowing nothing of either.
-//! What rests on search instead is searched again by [`exhaust`]. A [`Bundle`]
+//! What rests on search instead is searched again by [`exhaust`], or counted again by [`queue`]. A [`Bundle`]
 //! is a folder with all of it; [`verify()`] accepts or rejects one. [`confirm()`]
 //! does the same without a folder.
 //!
@@ -20,6 +20,7 @@ mod escape;
 pub mod exhaust;
 pub mod plain;
 mod prove;
+pub mod queue;
 mod report;
 mod show;
 mod verify;

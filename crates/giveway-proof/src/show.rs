@@ -8,10 +8,15 @@ use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
 use crate::exhaust::{Exhausted, alone_at_least, exhaust_kind, least};
 use crate::plain::{Cnf, NoFormula};
+use crate::queue::counted_at_least;
 use crate::{Budget, Claim, Outcome, plain, prove};
 
 /// More agents than this have too many states together to try.
 const FEW_AGENTS: usize = 3;
+/// From so many agents at a bottleneck on, a proof by clauses takes too long to try it first.
+const MANY_AT_GATE: usize = 7;
+/// With fewer agents, nothing is counted.
+const FEWEST_AT_GATE: usize = 2;
 
 /// The answer of a solver.
 #[derive(Clone, Debug)]
@@ -99,6 +104,11 @@ impl Showing<'_> {
     /// makespan.
     fn certify(&mut self, name: &str, claim: Claim) {
         (self.budget.tell)(&claim);
+        if counts(self.solved.instance, &claim, MANY_AT_GATE, self.budget) == Some(true) {
+            let method = Method::Counting;
+            self.claims.push(Entry::Search { claim, method });
+            return;
+        }
         if let Some(far) = claim.horizon(self.solved.instance) {
             let asked = self.solved.within.filter(|&last| last < far);
             // The makespan that the person set is mostly no part of such a claim:
@@ -207,7 +217,7 @@ impl Method {
     /// The searches that are worth trying, the smallest first.
     fn try_in_turn(instance: &Instance) -> impl Iterator<Item = Self> {
         let joint = instance.agents().len() <= FEW_AGENTS;
-        [Self::Alone]
+        [Self::Alone, Self::Counting]
             .into_iter()
             .chain(joint.then_some(Self::Joint))
     }
@@ -226,6 +236,7 @@ impl Method {
                 Exhausted::Plan(_) => Some(false),
                 Exhausted::Stopped => None,
             },
+            Self::Counting => counts(instance, claim, FEWEST_AT_GATE, budget),
             Self::Alone if claim.most.is_empty() => {
                 // An agent that cannot arrive even alone costs more than anything.
                 alone_at_least(instance, Cost::Makespan, u32::MAX, budget)
@@ -248,4 +259,18 @@ impl Method {
             }
         }
     }
+}
+
+/// Whether counting at a bottleneck with at least so many agents shows a claim: it is enough that one
+/// limit cannot be kept, whatever else the plans of the claim have to keep.
+fn counts(instance: &Instance, claim: &Claim, fewest: usize, budget: &Budget<'_>) -> Option<bool> {
+    let within = claim.most.get(&Cost::Makespan).copied();
+    for (&cost, &most) in &claim.most {
+        if let Some(more) = most.checked_add(1)
+            && counted_at_least(instance, (cost, more), within, fewest, budget)?
+        {
+            return Some(true);
+        }
+    }
+    Some(false)
 }

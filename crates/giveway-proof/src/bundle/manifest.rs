@@ -133,6 +133,8 @@ pub enum Method {
     Alone,
     /// The states of all agents together.
     Joint,
+    /// Agents counted that have to pass where only so many can be at a time.
+    Counting,
 }
 
 impl Method {
@@ -141,6 +143,7 @@ impl Method {
         match self {
             Self::Alone => tr!("a search of ..." => "each robot alone"),
             Self::Joint => tr!("a search of ..." => "all states of all robots"),
+            Self::Counting => tr!("a search of ..." => "the times at a bottleneck"),
         }
     }
 }

@@ -69,6 +69,10 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
                         "A search went through all states of all robots together; no state that \
                          can be reached ends such a plan."
                     }
+                    Method::Counting => {
+                        "Some robots have to pass where only so many can be at a time; the time \
+                         that they need there, one after the other, was counted."
+                    }
                 });
                 text.push_str(" To check it, a program other than the solver searches again.");
             }
