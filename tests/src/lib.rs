@@ -9,6 +9,7 @@
 
 pub mod answers;
 pub mod ask;
+pub mod bottleneck_random;
 pub mod certified;
 pub mod code_map;
 pub mod compare;

@@ -115,6 +115,13 @@ impl Replay<'_> {
                 }
                 self.rise(core.cost, core.from, core.to);
             }
+            SearchEvent::Counted { cost, at_least, .. } => {
+                // (Cores of a sum go on counting without it.)
+                if *cost == Cost::Makespan {
+                    self.bounds.insert(*cost, *at_least);
+                }
+                self.raise(*cost, *at_least);
+            }
             SearchEvent::Closed { cost, from, to, .. } => self.rise(*cost, *from, *to),
             SearchEvent::Exhausted { bounds } => {
                 for (&cost, &bound) in bounds {

@@ -45,6 +45,12 @@ pub(crate) const RULES: Marks = Marks {
     end: "<!-- end of the rules -->",
 };
 
+/// The table of bottlenecks.
+pub(crate) const GATES: Marks = Marks {
+    begin: "<!-- gates: written by `./x bench --gates` -->",
+    end: "<!-- end of the gates -->",
+};
+
 /// Puts tables into the document.
 ///
 /// # Errors

@@ -6,7 +6,8 @@
 //! hold one of them, and the tables are only printed. `./x bench --proofs` makes
 //! and checks certificates instead, `./x bench --questions` answers questions,
 //! `./x bench --changes` goes on where agents join others, `./x bench --crowds` looks
-//! at plans and bounds of crowds after some seconds, `./x bench --rules` adds rules to scenes.
+//! at plans and bounds of crowds after some seconds, `./x bench --rules` adds rules to scenes,
+//! `./x bench --gates` sends robots through one passage.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -16,6 +17,7 @@
 mod changes;
 mod crowds;
 mod document;
+mod gates;
 mod proofs;
 mod questions;
 mod rows;
@@ -56,6 +58,9 @@ struct Args {
     /// Only scenes with rules of their own; their table is written
     #[arg(long)]
     rules: bool,
+    /// Only robots that all pass one passage; their table is written
+    #[arg(long)]
+    gates: bool,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -91,6 +96,15 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         println!("{table}");
         if args.parts.is_empty() {
             document::put(&document::RULES, &table)?;
+            eprintln!("written to docs/benchmarks.md");
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.gates {
+        let table = gates::table(&command, &args.parts)?;
+        println!("{table}");
+        if args.parts.is_empty() {
+            document::put(&document::GATES, &table)?;
             eprintln!("written to docs/benchmarks.md");
         }
         return Ok(ExitCode::SUCCESS);

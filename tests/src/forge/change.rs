@@ -129,7 +129,7 @@ fn number(manifest: &mut Value, random: &mut ChaCha8Rng) -> Option<()> {
 
 /// Another word in the place of one, or a key.
 fn word(manifest: &mut Value, random: &mut ChaCha8Rng) -> Option<()> {
-    const WORDS: [&str; 14] = [
+    const WORDS: [&str; 15] = [
         "makespan",
         "sum-of-costs",
         "charges",
@@ -141,6 +141,7 @@ fn word(manifest: &mut Value, random: &mut ChaCha8Rng) -> Option<()> {
         "none",
         "alone",
         "joint",
+        "counting",
         "A1",
         "A2",
         "no-horizon",
@@ -227,7 +228,9 @@ fn claims(manifest: &mut Manifest, other: &Manifest, random: &mut ChaCha8Rng) {
                     within: None,
                     ..about.unwrap_or_default()
                 },
-                method: *[Method::Alone, Method::Joint].choose(random).unwrap(),
+                method: *[Method::Alone, Method::Joint, Method::Counting]
+                    .choose(random)
+                    .unwrap(),
             });
         }
     }
