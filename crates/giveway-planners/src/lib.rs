@@ -13,6 +13,7 @@ pub mod first;
 pub mod lacam;
 pub mod lns;
 pub mod local;
+pub mod lost;
 pub mod pibt;
 pub mod plain;
 pub mod planner;

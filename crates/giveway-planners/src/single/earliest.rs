@@ -76,16 +76,32 @@ pub fn earliest(
         });
         return Ok(known(bound));
     }
-    let mut search = Search {
-        task,
-        terrain,
-        cost_to_go,
-        last,
-        reached: BTreeMap::new(),
-        open: BinaryHeap::new(),
-    };
-    let arrival = search.run(first, budget)?;
+    let mut search = Search::new(task, terrain, cost_to_go, last);
+    let arrival = search.run(first, 0, budget)?;
     Ok(arrival.ok_or(no_plan).and_then(known))
+}
+
+/// The earliest arrival of an agent that is in a state at a time, whatever its conditions
+/// are about; `None` where it cannot arrive from there.
+///
+/// It must be known that it can: the search has no other end.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn earliest_from(
+    task: &Task,
+    terrain: &Terrain,
+    cost_to_go: &CostToGo,
+    (state, now): (State, u32),
+    budget: &dyn Budget,
+) -> Result<Option<u32>, Stop> {
+    if !task.conditions.is_in_tables() || now < task.earliest_move {
+        let last = task.last_time().unwrap_or(0);
+        return Search::new(task, terrain, cost_to_go, last).run(state, now, budget);
+    }
+    let (v, delay) = state.next_vertex(terrain);
+    let rest = cost_to_go.from(v, state.mask | task.bit(v), state.battery);
+    Ok(rest.map(|rest| (now + delay + rest).max(task.not_before)))
 }
 
 /// A state, and the time as far as it matters.
@@ -103,9 +119,26 @@ struct Search<'a> {
     open: BinaryHeap<Reverse<(u32, Reverse<u32>, State)>>,
 }
 
-impl Search<'_> {
-    fn run(&mut self, first: State, budget: &dyn Budget) -> Result<Option<u32>, Stop> {
-        self.reach(first, 0);
+impl<'a> Search<'a> {
+    const fn new(
+        task: &'a Task,
+        terrain: &'a Terrain,
+        cost_to_go: &'a CostToGo,
+        last: u32,
+    ) -> Self {
+        Self {
+            task,
+            terrain,
+            cost_to_go,
+            last,
+            reached: BTreeMap::new(),
+            open: BinaryHeap::new(),
+        }
+    }
+
+    /// The earliest arrival from a state at a time.
+    fn run(&mut self, first: State, now: u32, budget: &dyn Budget) -> Result<Option<u32>, Stop> {
+        self.reach(first, now);
         while let Some(Reverse((_, Reverse(now), state))) = self.open.pop() {
             budget.tick()?;
             if let Place::At(v) = state.place
@@ -129,10 +162,7 @@ impl Search<'_> {
             mask,
             battery,
         } = state;
-        let (v, delay) = match place {
-            Place::At(v) => (v, 0),
-            Place::Along(arc) => (self.terrain.ends(arc).1, 1),
-        };
+        let (v, delay) = state.next_vertex(self.terrain);
         let mask_there = mask | self.task.bit(v);
         let Some(rest) = self.cost_to_go.from(v, mask_there, battery) else {
             return;

@@ -19,6 +19,7 @@ pub use automaton::{Act, Automaton, Forbidden, Part, Required};
 pub use cost_to_go::{CostToGo, Metric};
 pub use counter::{Counter, LongWait, Passage, Stay, Turns};
 pub use earliest::earliest;
+pub(crate) use earliest::earliest_from;
 pub use left::{Entry, Left};
 pub use mdd::{Mdd, Node, NodeId, Place};
 pub use no_plan_alone::{NoPlanAlone, has_to_be_at};

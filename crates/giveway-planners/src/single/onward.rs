@@ -1,7 +1,7 @@
 //! The states of an agent on its way, and the steps that begin in one.
 
 use super::{Place, Task, task::Mask};
-use crate::terrain::Terrain;
+use crate::terrain::{Terrain, Vertex};
 
 /// The state of an agent on its way, with the best battery level that it may
 /// have there.
@@ -14,6 +14,16 @@ pub struct State {
     /// 0 where it is unlimited. Half way along a slow arc it is the level on
     /// arrival.
     pub battery: u32,
+}
+
+impl State {
+    /// The vertex at which it is, or will be next, and the steps until then.
+    pub(crate) fn next_vertex(&self, terrain: &Terrain) -> (Vertex, u32) {
+        match self.place {
+            Place::At(v) => (v, 0),
+            Place::Along(arc) => (terrain.ends(arc).1, 1),
+        }
+    }
 }
 
 /// One time step of an agent.
