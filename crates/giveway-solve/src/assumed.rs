@@ -18,7 +18,7 @@ use giveway_model::{
 };
 
 pub(crate) use others::{
-    weaken_changed, weaken_explained, weaken_freedom, weaken_planned, weaken_priced,
+    weaken_changed, weaken_delays, weaken_explained, weaken_freedom, weaken_planned, weaken_priced,
 };
 
 use crate::{Ended, FrontAnswer, Reach, Reason, Refusal, SolveAnswer, Status};

@@ -12,6 +12,7 @@ mod budget;
 mod calmed;
 mod certify;
 pub mod change;
+pub mod delays;
 mod encode;
 mod ended;
 pub mod explain;

@@ -5,7 +5,8 @@ use giveway_model::{Cost, Costs, Plan};
 use serde::Serialize;
 
 use crate::{
-    explain::ExplainAnswer, freedom::FreedomAnswer, price::PriceAnswer, trace::TraceEvent,
+    delays::DelaysAnswer, explain::ExplainAnswer, freedom::FreedomAnswer, price::PriceAnswer,
+    trace::TraceEvent,
 };
 
 /// An event on the way to an answer.
@@ -63,6 +64,11 @@ pub enum Progress {
     Priced {
         /// The answer as far as it is known; `pending` counts what is to come.
         answer: Box<PriceAnswer>,
+    },
+    /// The ledger of a plan is there.
+    Delays {
+        /// The answer without the proof of how many steps every plan loses.
+        answer: Box<DelaysAnswer>,
     },
     /// A certificate is begun.
     Exporting {

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
+use crate::delays::DelaysRequest;
 use crate::together::TogetherRequest;
 use crate::{
     CertifyRequest, ExportRequest, explain::ExplainRequest, freedom::FreedomRequest,
@@ -38,6 +39,8 @@ pub enum Request {
     Together(TogetherRequest),
     /// What does each rule of the scene's own cost?
     Price(PriceRequest),
+    /// Who costs whom in a plan?
+    Delays(DelaysRequest),
 }
 
 /// A request that needs no more than search and judge.
@@ -65,6 +68,8 @@ impl Request {
             | Self::Export(_) => None,
             Self::Check(request) if request.changes.is_none() => None,
             Self::Check(request) => Some(&request.scene),
+            Self::Delays(request) if request.changes.is_none() => None,
+            Self::Delays(request) => Some(&request.scene),
             Self::Explain(request) => Some(&request.scene),
             Self::Change(request) => Some(&request.scene),
         }
@@ -83,6 +88,7 @@ impl Request {
             | Self::Plan(_)
             | Self::Freedom(_)
             | Self::Price(_)
+            | Self::Delays(_)
             | Self::Together(_) => None,
         }
     }
@@ -102,6 +108,7 @@ impl Request {
             | Self::Plan(_)
             | Self::Together(_)
             | Self::Price(_)
+            | Self::Delays(_)
             | Self::Freedom(_) => None,
         }
     }

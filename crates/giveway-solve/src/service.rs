@@ -16,6 +16,7 @@ use crate::{
     budget::Budget,
     certify::{certify, export},
     change::{self, ChangeAnswer, ChangeRequest},
+    delays::{self, DelaysAnswer},
     explain::{ExplainAnswer, engine},
     freedom::{self, FreedomAnswer},
     pareto,
@@ -60,6 +61,8 @@ pub enum Response {
     Freedom(Box<FreedomAnswer>),
     /// To [`Request::Price`].
     Priced(Box<PriceAnswer>),
+    /// To [`Request::Delays`].
+    Delays(Box<DelaysAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -189,6 +192,13 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
             Ok(mut answer) => {
                 assumed::weaken_priced(&request.scene, &mut answer);
                 Response::Priced(Box::new(answer))
+            }
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Delays(request) => match delays::serve(request, host) {
+            Ok(mut answer) => {
+                assumed::weaken_delays(&request.scene, &mut answer);
+                Response::Delays(Box::new(answer))
             }
             Err(refusal) => Response::Refused(refusal),
         },

@@ -10,6 +10,7 @@ use super::{has_chosen, has_left_out, has_unknown, unknown, weaken};
 use crate::{
     Reach, Reason,
     change::{ChangeAnswer, Methods},
+    delays::DelaysAnswer,
     explain::ExplainAnswer,
     freedom::FreedomAnswer,
     plan::{PlanAnswer, PlanEnd},
@@ -43,6 +44,13 @@ pub(crate) fn weaken_explained(scene: &Scene, answer: &mut ExplainAnswer) {
 pub(crate) fn weaken_freedom(scene: &Scene, answer: &mut FreedomAnswer) {
     if is_other_problem(&scene.assumptions) {
         answer.reach = Reach::default();
+    }
+}
+
+/// Weakens what every plan is said to lose: a plan of the file's problem may lose less.
+pub(crate) fn weaken_delays(scene: &Scene, answer: &mut DelaysAnswer) {
+    if is_other_problem(&scene.assumptions) {
+        answer.prove_nothing();
     }
 }
 

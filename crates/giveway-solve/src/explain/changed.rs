@@ -14,31 +14,31 @@ use super::ExplainRequest;
 use crate::Refusal;
 
 /// The changes that count: those up to the time shown.
-pub(super) fn counting(request: &ExplainRequest) -> Option<Changes> {
-    let mut changes = request.changes.clone()?;
+pub(crate) fn counting(changes: Option<&Changes>, shown: Option<u32>) -> Option<Changes> {
+    let mut changes = changes?.clone();
     changes
         .changes
-        .retain(|change| request.at.is_none_or(|at| change.at <= at));
+        .retain(|change| shown.is_none_or(|at| change.at <= at));
     (!changes.changes.is_empty()).then_some(changes)
 }
 
 /// A plan through changes of the world.
-pub(super) struct ChangedWorld {
+pub(crate) struct ChangedWorld {
     /// The plan as one that knows of no later changes.
-    pub(super) plan: Plan,
+    pub(crate) plan: Plan,
     /// The time of the last change.
     at: u32,
     /// The world without the changes of that time.
     before: History,
     /// The world with them.
-    pub(super) after: History,
+    pub(crate) after: History,
 }
 
 impl ChangedWorld {
     /// # Errors
     /// Where there is no plan, a change contradicts it, or it breaks a rule before the
     /// last change.
-    pub(super) fn new(
+    pub(crate) fn new(
         instance: &Instance,
         changes: &Changes,
         plan: Option<&Plan>,
@@ -77,7 +77,7 @@ impl ChangedWorld {
 
     /// The plan at the last change. If it knows the changes of that time, they have a part
     /// in what it did up to then: an agent that they woke had slept.
-    pub(super) fn snapshot(&self, instance: &Instance) -> Snapshot<'_> {
+    pub(crate) fn snapshot(&self, instance: &Instance) -> Snapshot<'_> {
         let is_known = self.plan.knows.is_some_and(|knows| knows >= self.at);
         let past = if is_known { &self.after } else { &self.before };
         Snapshot::new(self.at, instance, (past, &self.after), &self.plan)

@@ -42,7 +42,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     let in_force = instance.in_force(instance.objective().clone());
     let instance = instance.with_objective(in_force);
     let budget = Rc::new(Budget::new(host, request.limits));
-    let Some(changes) = counting(request) else {
+    let Some(changes) = counting(request.changes.as_ref(), request.at) else {
         let asked = PlanQuestion {
             instance,
             plan: request.plan.clone(),
@@ -271,7 +271,7 @@ fn no_plan(
 }
 
 /// The plan that is asked about, where none was given: the best one.
-fn solved(
+pub(crate) fn solved(
     instance: &Instance,
     within: Option<u32>,
     budget: &Rc<Budget>,

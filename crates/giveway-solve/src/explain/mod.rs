@@ -14,7 +14,8 @@
 //! - [`causes`]: which of these help when they are left out, and further sets;
 //! - [`soft`]: plans that break as few rules as can be;
 //! - [`repairs`]: edits that help;
-//! - [`waits`], [`own_way`]: what would happen;
+//! - [`waits`], [`own_way`]: what would happen; [`lone_walk`]: the walk of one agent that breaks
+//!   the fewest rules;
 //! - [`own_plan`]: a person's own plan beside the best;
 //! - [`unsolvable`]: all of these, where there is no plan;
 //! - [`answer`]: reasons in the shapes in which they are written as JSON;
@@ -23,7 +24,7 @@
 pub mod answer;
 pub(crate) mod ask;
 pub(crate) mod causes;
-mod changed;
+pub(crate) mod changed;
 mod closest;
 pub(crate) mod contrasted;
 pub(crate) mod edits;
@@ -31,6 +32,7 @@ pub(crate) mod engine;
 mod explanation;
 pub(crate) mod group;
 pub(crate) mod group_mus;
+pub(crate) mod lone_walk;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
 pub(crate) mod reasons;

@@ -11,12 +11,12 @@ use giveway_model::{
 
 use super::{
     ask::{Ask, best, names, walks},
+    lone_walk::{lone_walk, replaced},
     verdict::FittingQuestion,
     waits,
 };
 use crate::{
     budget::Budget,
-    local::{OtherAgents, Query, Reservations, plan_one},
     problem::{Problem, Relaxed},
     walk::to_plan,
 };
@@ -109,22 +109,12 @@ fn among_others(
     let instance = case.instance;
     let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget).ok()?;
     let index = instance.agents().iter().position(|a| a.name == agent)?;
-    let mut others = Reservations::new(&problem);
     let mut walks = walks(instance, &problem, case.plan)?;
-    for (i, walk) in walks.iter().enumerate().filter(|&(i, _)| i != index) {
-        others.add(i, walk);
-    }
     let latest = arrivals(instance, case.plan).into_iter().flatten().max();
-    let query = Query {
-        agent: index,
-        latest: latest
-            .unwrap_or(0)
-            .max(problem.default_horizon(instance.grid())),
-        conflict_penalty: Some(0),
-        expansion_limit: u32::MAX,
-    };
-    let (walk, _) = plan_one(&problem, &others, query, budget).ok()??;
-    walks[index] = walk;
+    let latest = latest
+        .unwrap_or(0)
+        .max(problem.default_horizon(instance.grid()));
+    walks[index] = lone_walk(&problem, &walks, (index, latest), budget).ok()??;
     let other = to_plan(&problem, &names(instance), &walks);
     Some(replaced(case.plan, agent, &other))
 }
@@ -151,18 +141,4 @@ fn alone(
         budget,
     );
     Some(replaced(case.plan, agent, &found.plan?))
-}
-
-/// A plan with the way of one agent taken from another.
-fn replaced(plan: &Plan, agent: &str, other: &Plan) -> Plan {
-    let mut plan = plan.clone();
-    plan.paths
-        .insert(agent.to_owned(), other.path(agent).to_vec());
-    let charges = other.charges(agent).to_vec();
-    if charges.is_empty() {
-        plan.charges.remove(agent);
-    } else {
-        plan.charges.insert(agent.to_owned(), charges);
-    }
-    plan
 }
