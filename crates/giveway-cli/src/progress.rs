@@ -186,6 +186,7 @@ impl Known {
             Progress::Explained { .. }
             | Progress::Freedom { .. }
             | Progress::Priced { .. }
+            | Progress::Delays { .. }
             | Progress::Traced { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}

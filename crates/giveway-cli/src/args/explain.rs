@@ -28,6 +28,7 @@ A QUESTION is one of
   rule \"RULE\", rule --rule FILE                           why is it not so that RULE holds?
   unsolvable                                              why is there no plan?
   plan                                                    is this plan valid, and the best?
+  delays                                                  who costs whom: whom does each robot let pass?
 
 The answer is one of
   needless     a plan without it costs the same
@@ -41,7 +42,8 @@ Examples
   giveway explain warehouse.json charge A1 --at 6,2
   giveway explain scenario-6.json unsolvable
   giveway explain warehouse.json rule \"each robot arrives by 12\"
-  giveway explain warehouse.json --plan adopted.json --changes changes.json arrival A1")]
+  giveway explain warehouse.json --plan adopted.json --changes changes.json arrival A1
+  giveway explain warehouse.json delays")]
 pub(crate) struct Explain {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -80,7 +82,8 @@ pub(crate) struct Explain {
 #[derive(Debug, ClapArgs)]
 pub(crate) struct Typed {
     /// What is asked: wait, charge, no-charge, visit, no-visit, move, no-move, slow, order,
-    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, rule, unsolvable, plan
+    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, rule, unsolvable, plan,
+    /// delays
     #[arg(value_name = "QUESTION")]
     pub(crate) kind: String,
     /// The robots that it is about; of the question "rule" the rule in words

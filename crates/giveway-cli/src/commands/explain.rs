@@ -4,7 +4,7 @@ use giveway_model::{Instance, Plan, Question, change::History, question::Asked};
 use giveway_solve::explain::{ExplainRequest, Verdict};
 use giveway_solve::{Limits, Refusal, Request, Response, serve};
 
-use super::{one_standard_input, otherwise::refused_plan, proof, unexpected};
+use super::{delays, one_standard_input, otherwise::refused_plan, proof, unexpected};
 use crate::{
     args::{Common, Explain},
     clock::Clock,
@@ -16,6 +16,9 @@ use crate::{
 };
 
 pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit, Failure> {
+    if args.question.kind == delays::KIND {
+        return delays::run(args, common, clock);
+    }
     let question = question(args)?;
     let from_input = args.plan.as_deref().is_some_and(is_standard_input);
     if from_input && is_standard_input(&args.source.instance) {
@@ -130,7 +133,7 @@ fn question(args: &Explain) -> Result<Question, Failure> {
 }
 
 /// The question, in the parts in which it was typed.
-fn asked(args: &Explain) -> Asked {
+pub(super) fn asked(args: &Explain) -> Asked {
     let question = &args.question;
     Asked {
         kind: question.kind.clone(),

@@ -5,6 +5,7 @@ mod change;
 mod check;
 mod compare;
 mod convert;
+mod delays;
 mod explain;
 mod freedom;
 mod manual;

@@ -38,6 +38,7 @@ impl Solving {
             | Progress::Explained { .. }
             | Progress::Freedom { .. }
             | Progress::Priced { .. }
+            | Progress::Delays { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}
         }
