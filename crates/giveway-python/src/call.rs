@@ -75,6 +75,7 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "audit" => Request::Audit(read(text)?),
         "freedom" => Request::Freedom(read(text)?),
         "price" => Request::Price(read(text)?),
+        "delays" => Request::Delays(read(text)?),
         "plan" => Request::Plan(read(text)?),
         "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
@@ -130,6 +131,7 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Audited(answer) => write(&answer),
         Response::Freedom(answer) => write(&answer),
         Response::Priced(answer) => write(&answer),
+        Response::Delays(answer) => write(&answer),
         Response::Planned(answer) => write(&answer),
         Response::Together(answer) => write(&answer),
         Response::Refused(refusal) => {

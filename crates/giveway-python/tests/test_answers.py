@@ -183,6 +183,7 @@ def test_records_have_the_keys_of_the_schema() -> None:
         "paretoResult": giveway.Front, "planResult": giveway.PlannerAnswer, "checkResult": giveway.Verdict,
         "witness": giveway.Violation, "explainResult": giveway.Explanation, "changeResult": giveway.ChangeAnswer,
         "freedomResult": giveway.Freedom, "priceResult": giveway.Prices, "rulePrice": giveway.RulePrice,
+        "delaysResult": giveway.Delays, "agentDelay": giveway.AgentDelay,
     }
     from giveway._record import _fields
 

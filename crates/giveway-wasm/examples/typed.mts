@@ -22,6 +22,7 @@ function words(event: Progress): string {
     case "explained": return event.answer.words;
     case "freedom": return `${event.answer.plans?.count ?? 0} best plans so far`;
     case "priced": return event.answer.words;
+    case "delays": return event.answer.words;
     case "traced": return event.events.map((step) => step.text).join(" ");
     case "certifying": return event.claim;
     case "exporting": return `${event.done} of ${event.of} certificates`;

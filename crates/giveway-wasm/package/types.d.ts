@@ -140,6 +140,8 @@ export type Progress =
   | { event: "freedom"; answer: FreedomAnswer }
   /** What is known so far; `pending` counts the prices that are to come. */
   | { event: "priced"; answer: PriceAnswer }
+  /** The ledger of a plan; the proof is to come. */
+  | { event: "delays"; answer: DelaysAnswer }
   | { event: "certifying"; claim: string; checking: boolean }
   /** So many certificates are made. */
   | { event: "exporting"; done: number; of: number };
@@ -814,6 +816,94 @@ export interface PriceAnswer {
   stats: Stats;
 }
 
+export interface DelaysRequest {
+  scene: Scene;
+  /** Without one, the scene is solved first. */
+  plan?: Plan;
+  /** What changed while the plan ran: robots are compared with their best ways from the last change on. */
+  changes?: Changes;
+  /** Later changes do not count. */
+  at?: number;
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** The proof is only about plans of at most this makespan. */
+  within?: number;
+  /** Without the search for the proof. */
+  ledger_only?: boolean;
+  limits?: Limits;
+}
+
+/** An exact number of steps, in its lowest terms. */
+export interface Fraction {
+  numerator: number;
+  denominator: number;
+}
+
+/** Whom, or what, a robot lets pass; `nobody`: this could be saved. */
+export type DelayCause =
+  | { because: "agent"; agent: string }
+  | { because: "rule"; index: number; kind: Constraint["kind"]; name: string | null; text: string }
+  | { because: "nobody" };
+
+export interface CellLoss {
+  cell: Cell;
+  steps: number;
+}
+
+/** A robot's row of the ledger. */
+export interface AgentDelay {
+  agent: string;
+  arrival: number;
+  /** Its least arrival alone: its waypoints, battery and own rules kept. */
+  alone: number;
+  delay: number;
+  /** Even parts, which add up to the delay. */
+  because: (DelayCause & { steps: Fraction })[];
+  /** Where it loses steps; they add up to the delay. */
+  lost: CellLoss[];
+}
+
+/** A longest run of neighbouring cells of a row or a column at each of which a step is lost. */
+export interface LossPlace {
+  cells: Cell[];
+  steps: number;
+  agents: { agent: string; steps: number }[];
+}
+
+/** Who costs whom in a plan. */
+export interface DelaysAnswer {
+  giveway: 1;
+  objective: Cost[];
+  /** The time of the last change, where there was one. */
+  since?: number;
+  costs: Costs | null;
+  /** The sum of costs if each robot arrived as early as alone. */
+  alone: number;
+  /** The sum of costs less that. */
+  delay: number;
+  /** Who loses most is the first. */
+  agents: AgentDelay[];
+  /** Who costs others how much; a fraction of too large numbers is `null`. */
+  because: (DelayCause & { steps: Fraction | null })[];
+  /** Steps lost at each cell, row by row. */
+  lost: CellLoss[];
+  /** The worst first. */
+  places: LossPlace[];
+  /** How many steps each plan loses that has no more of the costs in `given`. */
+  proof: { given: Partial<Record<Cost, number>>; at_least: number; at_most: number; complete: boolean; within: number | null } | null;
+  /** The plan that was found, where none was handed in. */
+  plan?: Plan;
+  /** The calm plan by which delays are split, where it is not the plan itself. */
+  calm?: Plan;
+  /** Why there is no ledger. */
+  reason?: string;
+  /** Whether the proof is still to come. */
+  pending: boolean;
+  /** All of it in sentences. */
+  words: string;
+  stats: Stats;
+}
+
 /** A planner of the textbook. */
 export type Planner = "prioritised" | "cbs" | "pibt" | "lacam" | "lns";
 
@@ -1081,6 +1171,9 @@ export function freedom(request: FreedomRequest, options?: Options): FreedomAnsw
 
 /** Tells what each rule of the scene's own costs. */
 export function price(request: PriceRequest, options?: Options): PriceAnswer;
+
+/** Tells who costs whom in a plan: each delay, split by whom the robot lets pass. */
+export function delays(request: DelaysRequest, options?: Options): DelaysAnswer;
 
 /** Finds a plan with a planner of the textbook. */
 export function plan(request: PlanRequest, options?: Options): PlanAnswer;

@@ -1,6 +1,6 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
-  Comparison, ConvertAnswer, ConvertRequest, ExplainAnswer, ExplainRequest, Exported, Files, FreedomAnswer,
+  Comparison, ConvertAnswer, ConvertRequest, DelaysAnswer, DelaysRequest, ExplainAnswer, ExplainRequest, Exported, Files, FreedomAnswer,
   FreedomRequest, FrontAnswer,
   PlanAnswer, PlanRequest, PriceAnswer, PriceRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
   VerifyRequest,
@@ -27,6 +27,7 @@ export class Giveway {
   audit(request: AuditRequest, waiting?: Waiting): Promise<AuditAnswer>;
   freedom(request: FreedomRequest, waiting?: Waiting): Promise<FreedomAnswer>;
   price(request: PriceRequest, waiting?: Waiting): Promise<PriceAnswer>;
+  delays(request: DelaysRequest, waiting?: Waiting): Promise<DelaysAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
   together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;

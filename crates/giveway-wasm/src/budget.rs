@@ -22,6 +22,7 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Together(together) => &mut together.limits,
         Request::Freedom(freedom) => &mut freedom.limits,
         Request::Price(price) => &mut price.limits,
+        Request::Delays(delays) => &mut delays.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

@@ -16,8 +16,8 @@ mod worker;
 pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
 pub use javascript::{
-    audit, certify, change, check, compare_plans, convert, explain, export_certificates, freedom,
-    plan, price, read_files, read_moving_ai, read_plan, read_scene, schema, solve, together,
-    verify,
+    audit, certify, change, check, compare_plans, convert, delays, explain, export_certificates,
+    freedom, plan, price, read_files, read_moving_ai, read_plan, read_scene, schema, solve,
+    together, verify,
 };
 pub use worker::{serve_basic_messages, serve_messages};

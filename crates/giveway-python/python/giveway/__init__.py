@@ -3,24 +3,24 @@
 from giveway._door import Progress
 from giveway._native import VERSION as __version__
 from giveway.answers import (
-    AgentComparison, Alone, Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, ChangeStep, Comparison, Converted,
-    Costs, Ended, Explanation, Files, ForeignPlan, Format, Freedom, FreedomPart, Front, MethodAnswer, Planner, PlannerAnswer,
+    AgentComparison, AgentDelay, Alone, Answer, AuditAnswer, Certificate, Certificates, ChangeAnswer, ChangeStep, Comparison, Converted,
+    Costs, Delays, Ended, Explanation, Files, ForeignPlan, Format, Freedom, FreedomPart, Front, MethodAnswer, Planner, PlannerAnswer,
     PlannerStats, Prices, Report, RulePrice, Stats, Status, Together, Verdict, Violation,
 )
 from giveway.errors import BadInput, BadScene, BadText, Broken, Fault, GivewayError
 from giveway.files import convert, read_files, verify, verify_archive
 from giveway.functions import (
-    Objective, audit, change, check, compare, explain, export, freedom, pareto, price, schema, solve,
+    Objective, audit, change, check, compare, delays, explain, export, freedom, pareto, price, schema, solve,
     together,
 )
 from giveway.plan import Animation, Plan
 from giveway.scene import Agent, Assumption, Battery, Cell, Cost, Rules, Scene
 
 __all__ = [
-    "Agent", "AgentComparison", "Alone", "Animation", "Answer", "Assumption", "AuditAnswer", "BadInput", "BadScene",
+    "Agent", "AgentComparison", "AgentDelay", "Alone", "Animation", "Answer", "Assumption", "AuditAnswer", "BadInput", "BadScene",
     "BadText", "Battery", "Broken", "Cell", "Certificate", "Certificates", "ChangeAnswer", "ChangeStep", "Comparison", "Converted", "Cost",
-    "Costs", "Ended", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front",
+    "Costs", "Delays", "Ended", "Explanation", "Fault", "Files", "ForeignPlan", "Format", "Freedom", "FreedomPart", "Front",
     "GivewayError", "MethodAnswer", "Objective", "Plan", "Planner", "PlannerAnswer", "PlannerStats", "Prices", "Progress", "Report",
     "RulePrice", "Rules", "Scene", "Stats", "Status", "Together", "Verdict", "Violation", "__version__", "audit", "change", "check", "compare",
-    "convert", "explain", "export", "freedom", "pareto", "price", "read_files", "schema", "solve", "together", "verify", "verify_archive",
+    "convert", "delays", "explain", "export", "freedom", "pareto", "price", "read_files", "schema", "solve", "together", "verify", "verify_archive",
 ]

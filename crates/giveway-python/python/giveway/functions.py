@@ -12,7 +12,7 @@ from giveway._plain import plain
 from giveway._record import Record
 from giveway._request import by_kind, costs, words
 from giveway.answers import (
-    Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Explanation, Freedom, FreedomPart, Front, Planner,
+    Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Delays, Explanation, Freedom, FreedomPart, Front, Planner,
     PlannerAnswer, Prices, Together, Verdict, on,
 )
 from giveway.errors import refusal
@@ -201,6 +201,27 @@ def price(
     request = without_none(scene=scene, objective=costs(objective), within=within, start=start)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return _ask(Prices, "price", request, on_progress, should_stop)
+
+
+def delays(
+    scene: AnyScene, plan: AnyPlan | None = None, *, changes: Mapping[str, Any] | None = None, at: int | None = None,
+    objective: Objective | None = None, within: int | None = None, ledger_only: bool = False,
+    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
+    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Delays:
+    """Tells who costs whom in a plan: each robot's delay against its best way alone, split by whom it lets
+    pass, where steps are lost, and how many every plan loses. Without a plan the scene is solved first.
+
+    >>> from giveway import Agent, Scene
+    >>> agents = (Agent("A", (0, 0), (2, 0)), Agent("B", (2, 0), (0, 0)))
+    >>> delays(Scene(map=("...", "#.#"), agents=agents)).delay
+    3
+    """
+    request = without_none(
+        scene=scene, plan=plan, changes=changes, at=at, objective=costs(objective), within=within,
+        ledger_only=ledger_only)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return _ask(Delays, "delays", request, on_progress, should_stop)
 
 
 def together(

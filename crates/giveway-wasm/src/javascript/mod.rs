@@ -19,6 +19,7 @@ use giveway_model::{Fault, Instance, Plan, Scene, compare, format};
 use giveway_proof::Bundle;
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
+use giveway_solve::delays::DelaysRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::PlanRequest;
 use giveway_solve::price::PriceRequest;
@@ -131,6 +132,19 @@ pub fn price(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
         request,
         options,
         Request::Price as fn(PriceRequest) -> Request,
+    )
+}
+
+/// Tells who costs whom in a plan: each delay, split by whom the robot lets pass.
+///
+/// # Errors
+/// As [`solve`].
+#[wasm_bindgen(skip_typescript)]
+pub fn delays(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Delays as fn(DelaysRequest) -> Request,
     )
 }
 
@@ -284,6 +298,7 @@ fn answered(response: Response) -> Result<JsValue, JsValue> {
         Response::Together(answer) => objects::write(&answer),
         Response::Freedom(answer) => objects::write(&answer),
         Response::Priced(answer) => objects::write(&answer),
+        Response::Delays(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

@@ -10,7 +10,7 @@ type Function = fn(&JsValue) -> Result<JsValue, JsValue>;
 
 const NONE: JsValue = JsValue::UNDEFINED;
 
-const FUNCTIONS: [(&str, Function); 16] = [
+const FUNCTIONS: [(&str, Function); 17] = [
     ("solve", |request| giveway_wasm::solve(request, &NONE)),
     ("check", giveway_wasm::check),
     ("explain", |request| giveway_wasm::explain(request, &NONE)),
@@ -21,6 +21,7 @@ const FUNCTIONS: [(&str, Function); 16] = [
     ("audit", |request| giveway_wasm::audit(request, &NONE)),
     ("freedom", |request| giveway_wasm::freedom(request, &NONE)),
     ("price", |request| giveway_wasm::price(request, &NONE)),
+    ("delays", |request| giveway_wasm::delays(request, &NONE)),
     ("plan", |request| giveway_wasm::plan(request, &NONE)),
     ("compare", giveway_wasm::compare_plans),
     ("readFiles", |files| giveway_wasm::read_files(files, &NONE)),

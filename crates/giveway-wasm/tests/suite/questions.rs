@@ -143,6 +143,23 @@ fn rules_have_prices() {
 }
 
 #[wasm_bindgen_test]
+fn delays_are_split_by_whom_a_robot_lets_pass() {
+    let scene = json!({ "giveway": 1, "map": ["...", "#.#"],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [2, 0] },
+            { "name": "A2", "start": [2, 0], "goal": [0, 0] }] });
+    let answer = data(&giveway_wasm::delays(&object(&json!({ "scene": scene })), &NONE).unwrap());
+    assert_eq!(answer["delay"], 3);
+    assert_eq!(answer["alone"], 4);
+    assert_eq!(answer["agents"][0]["because"][0]["because"], "agent");
+    assert_eq!(answer["proof"]["at_least"], 3);
+    let plan = answer["plan"].clone();
+    let request = json!({ "scene": scene, "plan": plan, "ledger_only": true });
+    let again = data(&giveway_wasm::delays(&object(&request), &NONE).unwrap());
+    assert_eq!(again["agents"], answer["agents"]);
+    assert_eq!(again["proof"], Value::Null);
+}
+
+#[wasm_bindgen_test]
 fn a_planner_of_the_textbook_plans_and_tells_how() {
     let scene = json!({ "giveway": 1, "map": ["#.#", "...", "#.#"], "objective": ["sum-of-costs"],
         "agents": [{ "name": "A", "start": [0, 1], "goal": [2, 1] },

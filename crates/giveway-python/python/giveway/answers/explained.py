@@ -1,4 +1,4 @@
-"""The answers of ``explain``, ``freedom``, ``price`` and ``together``."""
+"""The answers of ``explain``, ``freedom``, ``price``, ``delays`` and ``together``."""
 
 from __future__ import annotations
 
@@ -132,6 +132,58 @@ class Prices(Record):
     pending: int = 0
     #: Why there is no plan or no proof.
     reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class AgentDelay(Record):
+    """A robot's delay against its best way alone."""
+
+    agent: str
+    arrival: int
+    #: Its least arrival alone: its waypoints, battery and own rules kept.
+    alone: int
+    delay: int
+    #: Even parts by whom it lets pass: ``because`` is ``agent``, ``rule`` or ``nobody``, ``steps`` a
+    #: ``numerator`` and a ``denominator``.
+    because: tuple[dict[str, Any], ...]
+    #: Where it loses steps: each with ``cell`` and ``steps``.
+    lost: tuple[dict[str, Any], ...]
+
+
+@dataclass(frozen=True)
+class Delays(Record):
+    """The answer of ``delays``; ``words`` is the whole of it in sentences."""
+
+    document: ClassVar[bool] = True
+
+    objective: tuple[Cost, ...]
+    costs: Costs | None
+    #: The sum of costs if each robot arrived as early as alone.
+    alone: int
+    #: The sum of costs less that.
+    delay: int
+    #: Who loses most is the first.
+    agents: tuple[AgentDelay, ...]
+    #: Who costs others how much; ``steps`` is ``None`` where the fraction has too large numbers.
+    because: tuple[dict[str, Any], ...]
+    #: The steps lost at each cell, row by row.
+    lost: tuple[dict[str, Any], ...]
+    #: The three places at which most is lost, the worst first.
+    places: tuple[dict[str, Any], ...]
+    #: How many steps each plan loses that has no more of the costs in ``given``.
+    proof: dict[str, Any] | None
+    words: str
+    stats: Stats
+    #: The time of the last change.
+    since: int | None = optional()
+    #: The plan that was found, where none was handed in.
+    plan: Plan | None = optional()
+    #: The calm plan by which delays are split, where it is not the plan itself.
+    calm: Plan | None = optional()
+    #: Why there is no ledger.
+    reason: str | None = optional()
+    #: Whether the proof is still to come.
+    pending: bool = False
 
 
 @dataclass(frozen=True)
