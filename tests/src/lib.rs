@@ -7,6 +7,7 @@
     reason = "a test that cannot go on ends with a panic"
 )]
 
+pub mod alone;
 pub mod answers;
 pub mod ask;
 pub mod bottleneck_random;
