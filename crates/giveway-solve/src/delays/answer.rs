@@ -91,7 +91,8 @@ pub struct AgentDelay {
     pub agent: String,
     /// Its arrival in the plan.
     pub arrival: u32,
-    /// Its least arrival alone: its waypoints, battery and own rules kept.
+    /// Its least arrival alone: its waypoints, battery and own rules kept. After a change what
+    /// lies in the past is kept, too: breakdowns, and a gap to where others were before.
     pub alone: u32,
     /// Its delay: the arrival less that.
     pub delay: u32,

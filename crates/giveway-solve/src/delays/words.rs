@@ -73,15 +73,15 @@ pub fn causes(shares: &[Share]) -> String {
 
 /// The sum of all delays as a sentence.
 pub fn total(answer: &DelaysAnswer) -> String {
-    let robots = answer.agents.len() as u32;
     let sum = answer.costs.map_or(0, |costs| costs.sum_of_costs);
     if answer.delay == 0 {
         return tr!("No robot loses a step against its best way alone.").to_owned();
     }
     tr!(
-        "{n} robot loses {delay} of {sum} steps against its best way alone."
-            | "{n} robots lose {delay} of {sum} steps against their best ways alone." % robots,
-        delay = answer.delay,
+        "{n} step is lost: alone the robots need {alone} in all, here {sum}."
+            | "{n} steps are lost: alone the robots need {alone} in all, here {sum}."
+                % answer.delay,
+        alone = answer.alone,
         sum
     )
 }
