@@ -442,6 +442,10 @@ export interface ExplainAnswer {
   alternative: Plan | null;
   /** Whether it is proved that no other best plan is closer. */
   closest: boolean;
+  /** Of `needless`: how the other plan does without it; `free` is there only alone. */
+  how?: ("others" | "other-way" | "elsewhere" | "free")[];
+  /** The robots that the other plan moves differently; who arrives later by most is the first. */
+  pays?: { agent: string; arrival: number; other: number; more_waits: number; other_way: boolean }[];
   /** What would happen; of `unsolvable` with the class of rules that were soft. */
   witness: (Violation & { class?: "collision" | "obstacle" | "battery" | "waypoint" })[];
   core: Core | null;

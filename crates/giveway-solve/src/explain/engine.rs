@@ -12,10 +12,11 @@ use giveway_model::{
 };
 
 use super::{
-    ExplainAnswer, ExplainRequest, Part,
+    ExplainAnswer, ExplainRequest, Part, Verdict,
     ask::{Ask, any},
     changed::{ChangedWorld, asked, counting},
     closest::closest,
+    how::{differences, how},
     own_plan::OwnPlanReport,
     reasons,
     verdict::{FittingQuestion, compare},
@@ -185,12 +186,26 @@ fn tell_verdict(case: &mut FittingQuestion, answer: &mut ExplainAnswer, telling:
     answer.reach = compared.reach.into();
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
+    compare_agents(case, answer);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
     if compared.reach.is_some() {
         tell_closest(case, answer, telling);
     }
     telling.tell(answer, Part::Closest);
+}
+
+/// How the other plan that is at hand differs.
+fn compare_agents(case: &FittingQuestion, answer: &mut ExplainAnswer) {
+    let Some(other) = &answer.alternative else {
+        return;
+    };
+    let plans = (case.plan, other);
+    answer.pays = differences(case.instance, plans, case.whole);
+    answer.how = match answer.verdict {
+        Verdict::Needless => how(case.question, case.instance, plans, &answer.pays),
+        Verdict::Improvable | Verdict::Costly | Verdict::Necessary | Verdict::Unknown => Vec::new(),
+    };
 }
 
 /// The closest other plan, where the one at hand is proved best.
@@ -200,6 +215,7 @@ fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Re
         answer.costs = check::costs(case.instance, &plan);
         answer.alternative = Some(plan);
         answer.closest = proved;
+        compare_agents(case, answer);
         reasons::word(case, "", answer);
     }
 }

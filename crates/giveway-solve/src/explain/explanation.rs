@@ -9,7 +9,7 @@ use giveway_model::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{Core, Excess, Repair, WitnessEntry};
+use super::{AgentDifference, Core, Excess, How, Repair, WitnessEntry};
 use crate::{Limits, Reach, Stats};
 
 /// Answer a question about a plan, or about there being none.
@@ -132,6 +132,12 @@ pub struct ExplainAnswer {
     pub alternative: Option<Plan>,
     /// Whether it is proved that no other best plan is closer.
     pub closest: bool,
+    /// Of `needless`: how the other plan does without it. `free` is there only alone.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub how: Vec<How>,
+    /// The agents that the other plan moves differently; who arrives later by most is the first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pays: Vec<AgentDifference>,
     /// The witness: what would happen.
     pub witness: Vec<WitnessEntry>,
     /// The facts that together make it impossible, or so costly.
@@ -178,6 +184,8 @@ impl ExplainAnswer {
             reach: Reach::default(),
             alternative: None,
             closest: false,
+            how: Vec::new(),
+            pays: Vec::new(),
             witness: Vec::new(),
             core: None,
             repairs: Vec::new(),

@@ -4,7 +4,7 @@
 //! - `explanation`: the question to the service, and its answer as far as known;
 //! - [`engine`]: the order of the parts;
 //! - [`verdict`]: the best other plan beside the one asked about;
-//! - [`closest`]: of these, one that is close to it;
+//! - [`closest`]: of these, one that is close to it; [`how`]: how it differs, and who pays;
 //! - `changed`: a question after a change of the world, as one about a snapshot of the plan;
 //!   `whole` tells the answer of the whole plan;
 //! - [`group`], [`edits`]: facts left out, edits made;
@@ -32,6 +32,7 @@ pub(crate) mod engine;
 mod explanation;
 pub(crate) mod group;
 pub(crate) mod group_mus;
+pub(crate) mod how;
 pub(crate) mod lone_walk;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
@@ -49,6 +50,8 @@ pub(crate) mod words;
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
+pub use how::{AgentDifference, How};
 pub use words::{
-    edits_in_words, facts_claim, facts_title, helps_mark, verdict_word, witness_title,
+    edits_in_words, facts_claim, facts_title, helps_mark, how_of, how_sentence, verdict_word,
+    witness_title,
 };

@@ -191,6 +191,8 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     (answer.costs, answer.reach) = (None, Reach::default());
     answer.deltas.clear();
     answer.witness.clear();
+    answer.how.clear();
+    answer.pays.clear();
     answer.core = None;
     answer.repairs.clear();
     answer.further_repairs = 0;

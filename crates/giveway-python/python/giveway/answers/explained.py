@@ -41,6 +41,10 @@ class Explanation(Record):
     exhaustive: bool
     words: str
     stats: Stats
+    #: Of ``needless``: how the other plan does without it; ``free`` is there only alone.
+    how: tuple[Literal["others", "other-way", "elsewhere", "free"], ...] = optional(default=())
+    #: The robots that the other plan moves differently; who arrives later by most is the first.
+    pays: tuple[dict[str, Any], ...] = optional(default=())
     since: int | None = optional()
     plan: Plan | None = optional()
     valid: bool | None = optional()

@@ -7,6 +7,7 @@ mod few_states;
 mod fewest;
 mod further;
 mod half_way;
+mod how;
 mod late;
 mod own_plan;
 mod reach;

@@ -1,7 +1,8 @@
 //! The differences of the other plan in a few words.
 
+use crate::explain::how::way;
 use giveway_model::words::and;
-use giveway_model::{Cell, Cost, Instance, Plan, Question, check::own_costs, tr};
+use giveway_model::{Cost, Instance, Plan, Question, check::own_costs, tr};
 
 /// The alternative as a clause: `A1 could wait instead`; `None` where there is nothing short to say.
 pub(crate) fn instead(
@@ -55,11 +56,4 @@ pub(crate) fn instead(
         }
         _ => None,
     }
-}
-
-/// The cells of a path, each once for each stay.
-fn way(plan: &Plan, name: &str) -> Vec<Cell> {
-    let mut cells: Vec<Cell> = plan.path(name).iter().copied().flatten().collect();
-    cells.dedup();
-    cells
 }

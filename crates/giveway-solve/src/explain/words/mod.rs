@@ -8,6 +8,7 @@ mod costs;
 mod differences;
 mod facts;
 mod heads;
+mod how;
 mod joined;
 mod own_plan;
 mod repairs;
@@ -17,6 +18,7 @@ mod violations;
 
 pub(crate) use facts::fact;
 pub use heads::{facts_claim, facts_title, helps_mark, verdict_word, witness_title};
+pub use how::{how_of, how_sentence};
 pub(crate) use joined::because;
 pub(crate) use own_plan::own_plan;
 pub use repairs::edits_in_words;

@@ -76,6 +76,8 @@ fn told(state: &State) -> ExplainAnswer {
         reach: reach(None),
         alternative: Some(plan),
         closest: false,
+        how: Vec::new(),
+        pays: Vec::new(),
         witness: Vec::new(),
         core: None,
         repairs: vec![repair],
