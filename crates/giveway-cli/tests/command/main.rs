@@ -16,6 +16,7 @@ mod change;
 mod check;
 mod compare;
 mod convert;
+mod delays;
 mod explain;
 mod foreign;
 mod freedom;
