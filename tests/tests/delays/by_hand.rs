@@ -97,7 +97,7 @@ fn a_ledger_by_hand() {
     );
     assert_eq!(
         answer.words,
-        "2 robots lose 3 of 7 steps against their best ways alone. Whether any of this can be \
+        "3 steps are lost: alone the robots need 4 in all, here 7. Whether any of this can be \
          saved is open. A1 arrives at 4 and loses 2, because of A2. A2 arrives at 3 and loses 1, \
          because of A1. Most is lost from (1, 0) to (2, 0): 3 steps (A1 2 and A2 1)."
     );
@@ -137,14 +137,12 @@ fn what_is_no_plan_is_refused() {
 
 /// A floor that was drawn by hand: 16 robots on 40 x 24 cells.
 #[test]
-fn a_real_floor_has_its_ledger_at_once() {
+fn a_real_floor_has_its_ledger() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/data/depot/");
     let read = |file: &str| std::fs::read_to_string(format!("{folder}{file}")).unwrap();
     let instance = native::read_instance(&read("depot.json")).unwrap();
     let plan = native::read_plan(&read("depot-plan.json")).unwrap();
-    let begin = std::time::Instant::now();
     let answer = ledger(&instance, &plan);
-    println!("{:?}", begin.elapsed());
     assert_eq!((answer.alone, answer.delay), (848, 150));
     let first: Vec<(&str, u32)> = answer
         .agents

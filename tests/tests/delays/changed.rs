@@ -2,6 +2,7 @@
 
 use giveway_model::change::{Changes, History};
 use giveway_model::check::{Violation, check_history};
+use giveway_model::constraint::ConstraintKind;
 use giveway_model::format::native;
 use giveway_model::snapshot::Snapshot;
 use giveway_model::{Instance, Plan, Version};
@@ -129,7 +130,9 @@ fn rows_are_right(
             continue; // it begins half way along a slow edge
         }
         let rested = instance.start_state(&row.agent).rested;
-        let own = |violation: &Violation| violation.agents == [row.agent.clone()];
+        let own = |violation: &Violation| {
+            violation.agents == [row.agent.clone()] || is_of_the_past(snapshot, violation)
+        };
         let judged = |steps: u32| {
             let begin = (&path[..1], [].as_slice());
             let walks = paths(instance, &row.agent, begin, steps)?;
@@ -168,4 +171,29 @@ fn rows_are_right(
         );
         seen.split += 1;
     }
+}
+
+/// Whether a gap is broken to where another robot was before the last change: that is past, and
+/// each way from there has to keep it.
+fn is_of_the_past(snapshot: &Snapshot<'_>, violation: &Violation) -> bool {
+    let Some(broken) = &violation.broken else {
+        return false;
+    };
+    let rule = &snapshot.history.constraints()[broken.index as usize].constraint;
+    let ConstraintKind::Gap { steps } = rule.kind else {
+        return false;
+    };
+    let plan = snapshot.plan;
+    let times = violation.time.saturating_sub(steps)..violation.time.min(snapshot.at);
+    let was_there = |name: &String| {
+        let from = plan.from.get(name).copied().unwrap_or(0);
+        let path = plan.path(name);
+        let place = |time: u32| {
+            let entry = path.get(time.checked_sub(from)? as usize);
+            entry.or(path.last()).copied().flatten()
+        };
+        let mut times = times.clone();
+        times.any(|time| place(time).is_some_and(|cell| broken.cells.contains(&cell)))
+    };
+    violation.agents.iter().any(was_there)
 }

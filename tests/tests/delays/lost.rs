@@ -30,9 +30,8 @@ pub(crate) fn lost_slowly(
         let charges = plan.charges(name).iter().copied();
         let charges: Vec<u32> = charges.filter(|&it| (it as usize) < time).collect();
         (time as u32..=arrival).find_map(|steps| {
-            let walks = match paths(lone, name, (&path[..=time], &charges), steps) {
-                None => return Some(None),
-                Some(walks) => walks,
+            let Some(walks) = paths(lone, name, (&path[..=time], &charges), steps) else {
+                return Some(None);
             };
             let passes =
                 |walk: &Plan| check(lone, walk).is_valid() && arrivals(lone, walk) == [Some(steps)];

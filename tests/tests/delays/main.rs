@@ -60,7 +60,7 @@ fn plans(instance: &Instance) -> Vec<Plan> {
         other => panic!("{other:?}"),
     };
     let best = plan_of(instance);
-    let slow = best.as_ref().map(|plan| one_later(plan));
+    let slow = best.as_ref().map(one_later);
     let mut plans: Vec<Plan> = best.into_iter().chain(quick).chain(slow).collect();
     for plan in &mut plans {
         plan.cut_trailing_goals(instance);
@@ -91,7 +91,12 @@ fn least(instance: &Instance, objective: &[Cost], within: Option<u32>) -> Option
     scene.settle_rules(instance.grid());
     let scene = RuleScene::read(&serde_json::to_string(&scene).unwrap(), &[]);
     match best(&scene, within.map(i64::from), MOST_STATES) {
-        Answer::Best(costs) => Some(costs.into_iter().map(|it| it as u32).collect()),
+        Answer::Best(costs) => Some(
+            costs
+                .into_iter()
+                .map(|it| u32::try_from(it).unwrap())
+                .collect(),
+        ),
         Answer::Impossible => panic!("there is a plan"),
         Answer::Capped => None,
     }
@@ -102,14 +107,12 @@ fn offended(agent: &str, violations: &[Violation], until: u32) -> BTreeSet<Strin
     let named = |violations: &mut dyn Iterator<Item = &Violation>| {
         let mut all = BTreeSet::new();
         for violation in violations {
-            match &violation.broken {
-                Some(broken) => all.insert(format!("#{}", broken.index)),
-                None => {
-                    let others = violation.agents.iter().filter(|it| *it != agent);
-                    all.extend(others.cloned());
-                    false
-                }
-            };
+            if let Some(broken) = &violation.broken {
+                all.insert(format!("#{}", broken.index));
+            } else {
+                let others = violation.agents.iter().filter(|it| *it != agent);
+                all.extend(others.cloned());
+            }
         }
         all
     };
