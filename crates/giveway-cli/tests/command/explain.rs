@@ -93,6 +93,7 @@ fn json_has_the_specified_keys() {
             "exhaustive",
             "further_repairs",
             "giveway",
+            "pays",
             "question",
             "repairs",
             "stats",
