@@ -1,7 +1,8 @@
 //! Certificates of scenes with rules of their own, beside the oracle of these rules: the
 //! plain formula, the search of states, and certificates as a whole.
 //!
-//! `GIVEWAY_RULE_SCENES` sets how many random scenes each test compares. The long run:
+//! `GIVEWAY_RULE_SCENES` sets how many random scenes each test compares, and
+//! `GIVEWAY_RANDOM_SEED` which ones. The long run:
 //!
 //! ```text
 //! GIVEWAY_RULE_SCENES=20000 cargo test --release -p giveway-tests --test constrained_certificates
@@ -39,6 +40,10 @@ const LAST: u32 = 11;
 
 fn scenes(usual: u64) -> u64 {
     environment::number("GIVEWAY_RULE_SCENES", usual)
+}
+
+fn seed(usual: u64) -> u64 {
+    environment::number("GIVEWAY_RANDOM_SEED", usual)
 }
 
 /// One kind, or two.
@@ -96,7 +101,7 @@ impl Optima {
 fn a_formula_is_satisfiable_exactly_where_the_oracle_has_a_plan() {
     let (mut plans, mut none, mut limits) = (0, 0, 0);
     for number in 0..scenes(252) {
-        let scene = scene_with_rules(61, number, &kinds(number)).to_string();
+        let scene = scene_with_rules(seed(61), number, &kinds(number)).to_string();
         let instance = native::read_instance(&scene).unwrap();
         let claim = |most| Claim {
             most,
@@ -153,7 +158,7 @@ fn solved(instance: &Instance) -> SolveAnswer {
 fn a_formula_agrees_with_the_solver_on_robots_without_goals() {
     let (mut plans, mut none, mut limits) = (0, 0, 0);
     for number in 0..scenes(168) {
-        let mut scene = scene_with_rules(65, number, &kinds(number));
+        let mut scene = scene_with_rules(seed(65), number, &kinds(number));
         let agents = scene["agents"].as_array_mut().unwrap();
         for agent in agents.iter_mut().skip(number as usize % 2) {
             agent.as_object_mut().unwrap().remove("goal");
@@ -199,7 +204,7 @@ fn a_formula_agrees_with_the_solver_on_robots_without_goals() {
 fn a_plan_satisfies_the_formula_exactly_where_it_keeps_the_rules() {
     let (mut valid, mut broken) = (0, 0);
     for number in 0..scenes(420) {
-        let mut scene = scene_with_rules(62, number, &kinds(number));
+        let mut scene = scene_with_rules(seed(62), number, &kinds(number));
         let instance = native::read_instance(&scene.to_string()).unwrap();
         for rule in scene["constraints"].as_array_mut().unwrap() {
             rule["off"] = Value::Bool(true);
@@ -251,7 +256,7 @@ fn a_search_of_states_agrees_with_the_oracle_at_any_horizon() {
     };
     let (mut plans, mut none, mut limits, mut stopped) = (0, 0, 0, 0);
     for number in 0..scenes(420) {
-        let scene = scene_with_rules(63, number, &kinds(number)).to_string();
+        let scene = scene_with_rules(seed(63), number, &kinds(number)).to_string();
         let instance = native::read_instance(&scene).unwrap();
         let all: Vec<usize> = (0..instance.agents().len()).collect();
         let mut agrees = |most: &BTreeMap<Cost, u32>, exists: bool| {
@@ -333,7 +338,7 @@ fn conditions_hold_beside_rules() {
     };
     let (mut plans, mut none, mut later) = (0, 0, 0);
     for number in 0..scenes(280) {
-        let scene = scene_with_rules(66, number, &kinds(number)).to_string();
+        let scene = scene_with_rules(seed(66), number, &kinds(number)).to_string();
         let instance = native::read_instance(&scene).unwrap();
         let claim = Claim {
             condition: Some(condition(number, &instance)),

@@ -1,13 +1,15 @@
 //! Rules of a scene's own: the solver against an exhaustive search of joint states, and
 //! against scenes whose optima were found elsewhere.
 //!
-//! `GIVEWAY_RULE_SCENES` sets how many random scenes each test compares. The long run:
+//! `GIVEWAY_RULE_SCENES` sets how many random scenes each test compares, and
+//! `GIVEWAY_RANDOM_SEED` which ones. The long run:
 //!
 //! ```text
 //! GIVEWAY_RULE_SCENES=50000 cargo test --release -p giveway-tests --test rules_oracle
 //! ```
 #![allow(
     clippy::unwrap_used,
+    clippy::print_stdout,
     clippy::panic,
     reason = "a test that cannot go on ends with a panic"
 )]
@@ -169,7 +171,7 @@ fn agents_by_themselves_keep_limits_where_the_oracle_has_a_plan() {
     let (mut kept, mut refuted) = (0, 0);
     for number in 0..scenes(280) {
         let kinds = [KINDS[number as usize % KINDS.len()]];
-        let scene = scene_with_rules(17, number, &kinds);
+        let scene = scene_with_rules(seed(17), number, &kinds);
         let what = format!("scene {number}, {kinds:?}");
         let limits: Vec<AgentLimit> = (0..2)
             .map(|agent| AgentLimit {
@@ -223,6 +225,7 @@ fn agents_by_themselves_keep_limits_where_the_oracle_has_a_plan() {
         let counted = if expected { &mut refuted } else { &mut kept };
         *counted += 1;
     }
+    println!("{kept} kept, {refuted} refuted");
     assert!(kept > 60 && refuted > 60, "{kept} kept, {refuted} refuted");
 }
 
@@ -232,7 +235,7 @@ fn compare_all(scenes: u64, kinds: impl Fn(u64) -> Vec<&'static str>) -> [u32; 3
     let mut counts = [0; 3];
     for number in 0..scenes {
         let kinds = kinds(number);
-        let scene = scene_with_rules(31, number, &kinds);
+        let scene = scene_with_rules(seed(31), number, &kinds);
         let within = (number % 7 == 0).then_some(number as u32 % 9);
         let what = format!("scene {number}, {kinds:?}, within {within:?}");
         let found = compare(&scene.to_string(), within, &what);
@@ -246,11 +249,17 @@ fn scenes(usual: u64) -> u64 {
     environment::number("GIVEWAY_RULE_SCENES", usual)
 }
 
+/// The seed of the random scenes.
+fn seed(usual: u64) -> u64 {
+    environment::number("GIVEWAY_RANDOM_SEED", usual)
+}
+
 #[test]
 fn each_kind_alone_has_the_optimum_of_the_oracle() {
-    let [plans, none, _] = compare_all(scenes(700), |number| {
+    let [plans, none, large] = compare_all(scenes(700), |number| {
         vec![KINDS[number as usize % KINDS.len()]]
     });
+    println!("{plans} with a plan, {none} without, {large} too large");
     assert!(
         plans > 300 && none > 30,
         "{plans} with a plan, {none} without"
@@ -266,7 +275,8 @@ fn two_kinds_together_have_the_optimum_of_the_oracle() {
         );
         vec![KINDS[i], KINDS[k]]
     };
-    let [plans, none, _] = compare_all(scenes(1300), pair);
+    let [plans, none, large] = compare_all(scenes(1300), pair);
+    println!("{plans} with a plan, {none} without, {large} too large");
     assert!(
         plans > 500 && none > 100,
         "{plans} with a plan, {none} without"
