@@ -18,8 +18,9 @@ impl Team<'_, '_> {
     pub(super) fn absorb(&mut self, agent: AgentId, added: &Added) -> Result<(), Stop> {
         self.exclude(agent, added)?;
         let latest = added.positions.iter().map(|&(time, ..)| time).max();
-        let gap = self.problem.between.gap();
-        self.reach(latest.map_or(0, |latest| latest.saturating_add(gap)))
+        // A gap needs no later rest: of an agent that came after another one left, the arrival
+        // is the nearest time, and no rest.
+        self.reach(latest.unwrap_or(0))
     }
 
     /// Lets agents whose rests are written on rest up to a time.
@@ -54,6 +55,8 @@ impl Team<'_, '_> {
         let along = added.transits.iter();
         let along = along.map(|&(time, arc, lit)| (time, Place::Along(arc), lit));
         for (time, place, lit) in at.chain(along) {
+            // A long gap or a large distance has many clauses for a single position.
+            self.budget.check()?;
             let world = (&problem.between, &problem.terrain);
             let (here, whose) = ((time, place), (agent, lit));
             self.rules.occupy(world, here, whose, &mut self.sat)?;
