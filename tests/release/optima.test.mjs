@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { chosen, PUBLISHED, started, together } from "../../scripts/optima/rows.mjs";
+import { compared, sized } from "../../scripts/optima/records.mjs";
 import { parse, reach, written } from "../../scripts/optima/tables.mjs";
 import { read } from "./house.mjs";
 
@@ -80,4 +81,21 @@ test("the published rows can be gone on with", () => {
   const { published, left } = chosen(new Map([[PUBLISHED, text]]), listed(...tasks));
   assert.equal(together("", published), csv);
   assert.equal(left, 0);
+});
+
+test("a row of others' optima is equal, not closed, or differs", () => {
+  const row = { cost: "makespan", optimum: "9" };
+  const answer = (status, cost, bound) => compared(row, { status, costs: cost && { makespan: cost }, bounds: { makespan: bound } });
+  assert.equal(answer("optimal", 9, 9), "equal");
+  assert.equal(answer("optimal", 10, 10), "differs");
+  assert.equal(answer("feasible", 12, 9), "open");
+  assert.equal(answer("feasible", 8, 7), "differs");
+  assert.equal(answer("feasible", 12, 10), "differs");
+  assert.equal(answer("unknown", null, 5), "open");
+  assert.equal(answer("impossible", null, undefined), "differs");
+});
+
+test("a scenario gets the size of its map", () => {
+  const map = "type octile\nheight 4\nwidth 3\nmap\n...\n";
+  assert.equal(sized("version 1\n0\ta.map\t9\t9\t0\t1\t2\t3\t4.5\n", map), "version 1\n0\ta.map\t3\t4\t0\t1\t2\t3\t4.5\n");
 });
