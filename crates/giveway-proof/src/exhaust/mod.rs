@@ -166,6 +166,9 @@ impl Search<'_> {
             return Exhausted::Stopped; // more waypoints than a state can hold
         }
         let rules = Rules::of(instance, agents);
+        // With many rules a state is large, and its steps take long.
+        let most = self.budget.states / (1 + rules.recorded() / 16);
+        let pause = (256 / (1 + rules.count() / 16)).max(1);
         let mut open: BTreeMap<u32, Vec<Joint>> = BTreeMap::new();
         let begins: Vec<Vec<Step>> = lones.iter().map(Lone::begin).collect();
         for steps in meet::joint_steps(&begins) {
@@ -201,8 +204,8 @@ impl Search<'_> {
             if !closed.insert(joint.clone()) {
                 continue;
             }
-            if closed.len() > self.budget.states
-                || (closed.len().is_multiple_of(256) && !(self.budget.go_on)())
+            if closed.len() > most
+                || (closed.len().is_multiple_of(pause) && !(self.budget.go_on)())
             {
                 return Exhausted::Stopped;
             }

@@ -17,6 +17,7 @@ use super::lone::{Lone, State, Step};
 
 /// The rules in force, of the agents that are searched.
 pub(super) struct Rules<'a> {
+    /// Those that remember something come first.
     rules: Vec<Watched<'a>>,
     /// The last time that a rule names.
     last: u32,
@@ -40,7 +41,7 @@ struct Watched<'a> {
 pub(super) struct Past {
     /// The time, up to one after the last that a rule names.
     time: u32,
-    /// Of each rule.
+    /// Of each rule that remembers something.
     records: Vec<Record>,
 }
 
@@ -63,9 +64,10 @@ impl<'a> Rules<'a> {
     pub(super) fn of(instance: &'a Instance, agents: &[usize]) -> Self {
         let place = |agent: usize| agents.iter().position(|&other| other == agent);
         let rules = instance.constraints_in_force();
-        let rules: Vec<Watched<'a>> = rules
+        let mut rules: Vec<Watched<'a>> = rules
             .filter_map(|rule| Watched::of(instance, &rule, &place))
             .collect();
+        rules.sort_by_key(|rule| rule.begin() == Record::None);
         let named = rules.iter().flat_map(|rule| named_times(rule.kind));
         Self {
             last: named.max().unwrap_or(0),
@@ -73,12 +75,23 @@ impl<'a> Rules<'a> {
         }
     }
 
+    /// How many rules look at each step.
+    pub(super) const fn count(&self) -> usize {
+        self.rules.len()
+    }
+
+    /// How many rules have a record in each state.
+    pub(super) fn recorded(&self) -> usize {
+        let records = self.rules.iter().map(Watched::begin);
+        records.take_while(|it| *it != Record::None).count()
+    }
+
     /// The past at time 0; `None` where a rule cannot be kept any more.
     pub(super) fn begin(&self, steps: &[Step]) -> Option<Past> {
         let records = self.rules.iter().map(Watched::begin);
         let past = Past {
             time: 0,
-            records: records.collect(),
+            records: records.take_while(|it| *it != Record::None).collect(),
         };
         self.come(None, steps, past)
     }
@@ -103,7 +116,9 @@ impl<'a> Rules<'a> {
         }
         let mut past = past.clone();
         let mut penalty: u32 = 0;
-        for (rule, record) in self.rules.iter().zip(&mut past.records) {
+        let (mut records, mut nothing) = (past.records.iter_mut(), Record::None);
+        for rule in &self.rules {
+            let record = records.next().unwrap_or(&mut nothing);
             if !rule.leave(before, steps, past.time, record) {
                 return None;
             }
@@ -115,6 +130,7 @@ impl<'a> Rules<'a> {
 
     /// Whether all rules are kept for ever, once all agents have arrived.
     pub(super) fn are_kept(&self, past: &Past) -> bool {
+        // A rule that remembers nothing demands nothing later.
         let mut rules = self.rules.iter().zip(&past.records);
         self.rules.is_empty()
             || past.time > self.last && rules.all(|(rule, record)| rule.is_done(record))
@@ -122,7 +138,9 @@ impl<'a> Rules<'a> {
 
     fn come(&self, before: Option<&[State]>, steps: &[Step], past: Past) -> Option<Past> {
         let mut past = past;
-        for (rule, record) in self.rules.iter().zip(&mut past.records) {
+        let (mut records, mut nothing) = (past.records.iter_mut(), Record::None);
+        for rule in &self.rules {
+            let record = records.next().unwrap_or(&mut nothing);
             if !rule.come(before, steps, past.time, record) {
                 return None;
             }
