@@ -8,6 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub use start_state::{Breakdown, ClosedCell, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
+use crate::format::text::shorten;
+use crate::sorting::map;
 use crate::{
     Agent, Assumption, AtGoal, Cell, Constraint, Cost, Fault, Grid, GridError, Ground, Objective,
     Rules, Scene, Version, Zone, constraint::InForce, tr, tr_later,
@@ -167,8 +169,15 @@ impl Instance {
 
     /// The rules of its own that are in force, with the agents that they bind.
     pub fn constraints_in_force(&self) -> impl Iterator<Item = InForce<'_>> {
+        let agents = self.agents.iter().enumerate();
+        let agents = agents.filter(|_| !self.constraints.is_empty());
+        let numbers: BTreeMap<&str, usize> =
+            map(agents.map(|(number, agent)| (agent.name.as_str(), number)));
         let constraints = self.constraints.iter().enumerate();
-        constraints.filter_map(|(index, it)| it.in_force(index, &self.agents))
+        constraints.filter_map(move |(index, it)| {
+            let number = |name: &str| numbers.get(name).copied();
+            it.in_force_among(index, &number, || (0..self.agents.len()).collect())
+        })
     }
 
     /// An objective as it is in force: where a rule makes something cost a penalty, and the
@@ -339,7 +348,7 @@ fn check_shared(scene: &Scene, faults: &mut Vec<Fault>) {
                 format!("agents[{i}].name"),
                 tr!(
                     "\"{name}\", the name of agents[{first}]",
-                    name = agent.name,
+                    name = shorten(&agent.name),
                     first
                 ),
                 tr_later!("a name of its own"),
