@@ -85,6 +85,9 @@ impl Trials<'_> {
 
 /// Whether the whole instance without one fact has a plan.
 fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Helps {
+    if inquiry.is_over() {
+        return Helps::Unknown;
+    }
     let left_out = BTreeSet::from([group]);
     let variant = without(refuted.instance, &left_out, refuted.deadline);
     match inquiry.search(&variant).reaching(&variant, refuted.reach) {

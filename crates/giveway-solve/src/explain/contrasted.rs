@@ -157,6 +157,10 @@ impl Inquiry for ContrastSearch<'_, '_> {
             && violations(instance, &variant.relaxed, plan).is_empty()
             && conditions.any(|condition| condition.holds(instance, plan) == Some(true))
     }
+
+    fn is_over(&self) -> bool {
+        self.budget.check().is_err()
+    }
 }
 
 impl Solver for ContrastSearch<'_, '_> {

@@ -201,7 +201,7 @@ pub(crate) fn without(
 ) -> Variant {
     let mut variant = instance.clone();
     let mut relaxed = Relaxed::default();
-    let mut free = BTreeSet::new();
+    let (mut free, mut off) = (BTreeSet::new(), BTreeSet::new());
     let mut within = within;
     // Agents that are left out move the numbers of those behind them.
     let gone = |a: usize| left_out.contains(&Group::Task(a));
@@ -232,7 +232,9 @@ pub(crate) fn without(
             Group::Slow => variant.make_normal(|_| true),
             Group::Deadline => within = None,
             Group::Floor => variant = variant.with_battery_floor(0),
-            Group::Constraint(rule) => variant.switch_off(|other| other == rule),
+            Group::Constraint(rule) => {
+                off.insert(rule);
+            }
             Group::Breakdown(a, from) => {
                 if let Some(agent) = instance.agents().get(a) {
                     let state = variant.start_state_mut(&agent.name);
@@ -240,6 +242,9 @@ pub(crate) fn without(
                 }
             }
         }
+    }
+    if !off.is_empty() {
+        variant.switch_off(|rule| off.contains(&rule));
     }
     if !free.is_empty() {
         variant.remove_obstacles(|cell| free.contains(&cell));

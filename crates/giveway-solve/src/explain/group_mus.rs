@@ -53,6 +53,8 @@ pub(crate) trait Inquiry {
     fn search_longer(&mut self, variant: &Variant) -> Tried;
     /// Whether a plan, known from another variant, is one here.
     fn accepts(&self, variant: &Variant, plan: &Plan) -> bool;
+    /// Whether the budget is spent: then no variant needs to be made.
+    fn is_over(&self) -> bool;
 }
 
 /// Facts that alone exclude a plan.

@@ -179,6 +179,10 @@ impl RepairSearch<'_> {
 
     /// Whether there is a plan after some edits; `None` where that is not known.
     fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> Option<bool> {
+        if self.solver.is_over() {
+            self.exhaustive = false;
+            return None;
+        }
         let variant = edited(self.broken.instance, edits, within);
         let mut tried = self.solver.search(&variant);
         if matches!(tried, Tried::Unknown) {

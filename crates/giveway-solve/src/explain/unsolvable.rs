@@ -97,6 +97,10 @@ impl Inquiry for AnyPlan<'_, '_> {
         violations(instance, &variant.relaxed, plan).is_empty()
             && variant.within.is_none_or(arrives)
     }
+
+    fn is_over(&self) -> bool {
+        self.budget.check().is_err()
+    }
 }
 
 impl Solver for AnyPlan<'_, '_> {

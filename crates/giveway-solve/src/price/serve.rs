@@ -17,6 +17,8 @@ use crate::{
 
 /// One of so many equal parts of what is left of the budget is for the plan with all rules.
 const PARTS: u32 = 2;
+/// The host is told of each of so many prices; of more, about so many times.
+const OFTEN: usize = 100;
 
 /// Serves a price request, and tells the host of every price.
 ///
@@ -53,11 +55,18 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
     };
     tell(&mut answer);
     for (place, &rule) in rules.iter().enumerate() {
+        if budget.check().is_err() {
+            break;
+        }
         let left = (rules.len() - place) as u32;
         answer.prices[place] = pricing.price(rule, &all.answer, left);
         answer.pending -= 1;
-        tell(&mut answer);
+        if place < OFTEN || place.is_multiple_of(rules.len() / OFTEN) {
+            tell(&mut answer);
+        }
     }
+    answer.pending = 0;
+    tell(&mut answer);
     if let (Status::Impossible, Some(reach)) = (all.answer.status, all.reach) {
         let unsolved = Unsolved {
             instance: &instance,

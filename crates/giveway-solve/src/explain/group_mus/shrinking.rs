@@ -195,6 +195,9 @@ impl<'a> Shrinking<'a> {
     }
 
     fn attempt(&mut self, left_out: &BTreeSet<Group>) -> Tried {
+        if self.inquiry.is_over() {
+            return Tried::Unknown;
+        }
         let variant = without(self.instance, left_out, self.deadline);
         if let Some(plan) = self.known(&variant) {
             return Tried::Plan(plan);

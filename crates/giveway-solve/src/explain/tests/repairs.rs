@@ -29,6 +29,10 @@ impl Inquiry for Finds {
     fn accepts(&self, _: &Variant, _: &Plan) -> bool {
         false
     }
+
+    fn is_over(&self) -> bool {
+        false
+    }
 }
 
 impl Solver for Finds {
