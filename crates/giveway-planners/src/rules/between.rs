@@ -92,7 +92,7 @@ impl OwnRules<'_> {
         (rule.agents.len() >= fewest).then(|| Shared {
             index: rule.index,
             members: (0..agents)
-                .map(|agent| rule.agents.contains(&agent))
+                .map(|agent| rule.agents.binary_search(&agent).is_ok())
                 .collect(),
             uncounted: {
                 let agents = rule.agents.iter().copied();

@@ -80,7 +80,7 @@ impl<'i> OwnRules<'i> {
         terrain: &Terrain,
     ) -> Result<(), NoPlanAlone> {
         for rule in &self.rules {
-            if rule.agents.contains(&agent) {
+            if rule.agents.binary_search(&agent).is_ok() {
                 self.impose_one(rule, agent, task, terrain)?;
             }
         }

@@ -155,6 +155,9 @@ struct Joint {
 
 impl Search<'_> {
     fn run(&self, instance: &Instance, agents: &[usize]) -> Exhausted {
+        if !(self.budget.go_on)() {
+            return Exhausted::Stopped;
+        }
         let limited = |cost| self.aim == Some(cost) || self.limits.iter().any(|l| l.0 == cost);
         // A condition may be about charges.
         let thrifty = limited(Cost::Charges) || self.watch.is_some();
@@ -204,8 +207,7 @@ impl Search<'_> {
             if !closed.insert(joint.clone()) {
                 continue;
             }
-            if closed.len() > most
-                || (closed.len().is_multiple_of(pause) && !(self.budget.go_on)())
+            if closed.len() > most || (closed.len().is_multiple_of(pause) && !(self.budget.go_on)())
             {
                 return Exhausted::Stopped;
             }

@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::condition::Times;
 use giveway_model::constraint::{ConstraintKind, Heading, InForce, meant};
+use giveway_model::sorting::sort_by_key;
 use giveway_model::{Cell, Instance, Zone};
 
 use super::lone::{Lone, State, Step};
@@ -67,7 +68,7 @@ impl<'a> Rules<'a> {
         let mut rules: Vec<Watched<'a>> = rules
             .filter_map(|rule| Watched::of(instance, &rule, &place))
             .collect();
-        rules.sort_by_key(|rule| rule.begin() == Record::None);
+        sort_by_key(&mut rules, |rule| rule.begin() == Record::None);
         let named = rules.iter().flat_map(|rule| named_times(rule.kind));
         Self {
             last: named.max().unwrap_or(0),
