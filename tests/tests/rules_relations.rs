@@ -215,7 +215,10 @@ fn a_longer_gap_keeps_a_shorter_one() {
                 assert!(report.is_none_or(|report| report.is_valid()), "{scene}");
             }
             if let Some(last) = last {
-                assert!(last <= now, "{last:?}, {now:?} for a gap of {steps}: {scene}");
+                assert!(
+                    last <= now,
+                    "{last:?}, {now:?} for a gap of {steps}: {scene}"
+                );
                 grows |= last < now;
             }
             last = Some(now);

@@ -1,0 +1,477 @@
+//! Rules of a scene's own with extreme numbers and in large amounts: each request ends in
+//! time, with an answer or a refusal that names a place, and within the memory of a small
+//! machine.
+//!
+//! `GIVEWAY_HOSTILE_TIMES=1` prints how long each request took.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::panic,
+    reason = "a test that cannot go on ends with a panic"
+)]
+
+use std::time::SystemTime;
+use std::{fs, slice};
+
+use giveway_model::change::Changes;
+use giveway_model::format::native;
+use giveway_model::{Constraint, Cost, Fault, Plan, Question, Scene};
+use giveway_solve::audit::AuditRequest;
+use giveway_solve::change::{ChangeRequest, Method};
+use giveway_solve::explain::ExplainRequest;
+use giveway_solve::freedom::FreedomRequest;
+use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::price::PriceRequest;
+use giveway_solve::together::TogetherRequest;
+use giveway_solve::trace::AgentLimit;
+use giveway_solve::{
+    CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveAnswer,
+    SolveRequest, serve,
+};
+use serde_json::{Value, json};
+
+/// The limit of each request, in seconds.
+const SECONDS: f64 = 0.5;
+/// How many seconds longer than its limit a request may take in the dev profile.
+const GRACE: f64 = 3.0;
+/// The largest number of a rule.
+const MOST: u32 = 1_000_000;
+/// The side of the usual map.
+const SIDE: usize = 6;
+
+/// A clock of the thread's CPU seconds where the system tells them, so that a busy machine
+/// changes nothing; of wall seconds elsewhere.
+struct Clock(SystemTime);
+
+impl Host for Clock {
+    fn wall_seconds(&self) -> f64 {
+        let times = fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+        let nanoseconds = times
+            .split(' ')
+            .next()
+            .and_then(|it| it.parse::<f64>().ok());
+        let passed = || self.0.elapsed().map_or(0.0, |passed| passed.as_secs_f64());
+        nanoseconds.map_or_else(passed, |it| it / 1e9)
+    }
+
+    fn progress(&self, _: &Progress) {}
+}
+
+fn limits() -> Limits {
+    Limits {
+        seconds: Some(SECONDS),
+        ..Limits::default()
+    }
+}
+
+/// Serves a request within its time; `what` is told where it is late.
+fn ask(what: &str, part: &str, request: &Request) -> Response {
+    // Each method has the limit at each time.
+    let parts = if part == "change" { 4.0 } else { 1.0 };
+    let clock = Clock(SystemTime::now());
+    let begin = clock.wall_seconds();
+    let response = serve(request, &clock);
+    let seconds = clock.wall_seconds() - begin;
+    if std::env::var_os("GIVEWAY_HOSTILE_TIMES").is_some() {
+        let kind = serde_json::to_value(&response).unwrap();
+        let kind = [&kind["response"], &kind["status"], &kind["refusal"]].map(Value::to_string);
+        println!("{seconds:7.2} s {what}: {part}: {}", kind.join(" "));
+    }
+    if std::env::var_os("GIVEWAY_HOSTILE_TIMES").is_some() {
+        return response;
+    }
+    assert!(
+        seconds < parts * SECONDS + GRACE,
+        "{what}: {part} took {seconds} s"
+    );
+    if let Response::Refused(Refusal::Scene { faults } | Refusal::Changes { faults }) = &response {
+        assert!(faults.iter().all(has_place), "{what}: {part}: {faults:?}");
+    }
+    response
+}
+
+fn has_place(fault: &Fault) -> bool {
+    !fault.place.is_empty()
+}
+
+/// A scene of four robots on an open map, with zones and rules.
+fn scene(zones: &Value, rules: &[Value]) -> Value {
+    let last = SIDE - 1;
+    let corners = [[0, 0], [last, 0], [0, last], [last, last]];
+    let agents: Vec<Value> = (0..4)
+        .map(|i| {
+            json!({ "name": format!("A{i}"), "start": corners[i], "goal": corners[3 - i],
+                    "heading": "east" })
+        })
+        .collect();
+    json!({ "giveway": 1, "map": vec![".".repeat(SIDE); SIDE], "agents": agents,
+            "zones": zones, "constraints": rules })
+}
+
+/// The usual zones: some cells in the middle, and the goal of the first robot.
+fn zones() -> Value {
+    json!([{ "name": "middle", "rect": [2, 2, 3, 3] },
+           { "name": "goal", "cells": [[SIDE - 1, SIDE - 1]] },
+           { "name": "all", "rect": [0, 0, SIDE - 1, SIDE - 1] }])
+}
+
+fn read(scene: &Value) -> Result<Scene, Fault> {
+    native::read_scene(&scene.to_string())
+}
+
+fn solve(what: &str, scene: &Scene) -> Option<SolveAnswer> {
+    let request = SolveRequest {
+        scene: scene.clone(),
+        limits: limits(),
+        ..SolveRequest::default()
+    };
+    match ask(what, "solve", &Request::Solve(request)) {
+        Response::Solved(answer) => Some(answer),
+        Response::Refused(_) => None,
+        other => panic!("{what}: {other:?}"),
+    }
+}
+
+/// The best plan of the usual scene without rules.
+fn usual_plan() -> (Scene, Plan) {
+    let scene = read(&scene(&zones(), &[])).unwrap();
+    let plan = solve("no rule", &scene).unwrap().plan.unwrap();
+    (scene, plan)
+}
+
+/// Asks everything of a scene with rules, of which one plan without them is known.
+fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
+    if let Some(answer) = solve(what, scene) {
+        let mut certify = CertifyRequest::of_solved(scene.clone(), None, &answer);
+        certify.limits = limits();
+        ask(what, "certify", &Request::Certify(certify));
+    }
+    let own = || scene.clone();
+    let (objective, within) = (None, None);
+    for planner in Planner::ALL {
+        let mut request = PlanRequest::new(own(), planner);
+        request.limits = limits();
+        ask(what, &planner.to_string(), &Request::Plan(request));
+    }
+    let requests = [
+        Request::Check(CheckRequest {
+            scene: own(),
+            plan: plan.clone(),
+            changes: None,
+        }),
+        Request::Price(PriceRequest {
+            scene: own(),
+            limits: limits(),
+            ..PriceRequest::default()
+        }),
+        Request::Audit(AuditRequest {
+            scene: own(),
+            plan: plan.clone(),
+            objective: None,
+            within,
+            limits: limits(),
+        }),
+        Request::Freedom(FreedomRequest {
+            scene: own(),
+            plan: None,
+            objective: None,
+            within,
+            parts: Vec::new(),
+            count: None,
+            limits: limits(),
+        }),
+        Request::Together(TogetherRequest {
+            scene: own(),
+            cost: Cost::Makespan,
+            agents: ["A0", "A1"]
+                .map(|agent| AgentLimit {
+                    agent: agent.to_owned(),
+                    least: 0,
+                    at_most: 12,
+                })
+                .to_vec(),
+            more: None,
+            within,
+            limits: limits(),
+        }),
+        Request::Explain(ExplainRequest {
+            scene: own(),
+            plan: None,
+            changes: None,
+            at: None,
+            question: Question::Makespan,
+            objective,
+            within,
+            limits: limits(),
+        }),
+        Request::Explain(ExplainRequest {
+            scene: own(),
+            plan: None,
+            changes: None,
+            at: None,
+            question: Question::Unsolvable,
+            objective: None,
+            within,
+            limits: limits(),
+        }),
+    ];
+    let parts = [
+        "check",
+        "price",
+        "audit",
+        "freedom",
+        "together",
+        "makespan",
+        "unsolvable",
+    ];
+    for (part, request) in parts.iter().zip(requests) {
+        ask(what, part, &request);
+    }
+}
+
+/// Asks why a plan does not keep a rule, and adds the rule while the plan runs.
+fn ask_one(what: &str, rule: &Constraint, (scene, plan): &(Scene, Plan)) {
+    let request = ExplainRequest {
+        scene: scene.clone(),
+        plan: Some(plan.clone()),
+        changes: None,
+        at: None,
+        question: Question::Rule {
+            rule: Box::new(rule.clone()),
+        },
+        objective: None,
+        within: None,
+        limits: limits(),
+    };
+    ask(what, "rule", &Request::Explain(request));
+    let changes = json!({ "giveway": 1, "changes": [
+        { "at": 2, "change": "add-constraint", "constraint": rule },
+        { "at": 3, "change": "delay-agent", "agent": "A0", "steps": 2 }] });
+    let changes: Changes = serde_json::from_value(changes).unwrap();
+    let request = ChangeRequest {
+        scene: scene.clone(),
+        plan: plan.clone(),
+        changes,
+        since: None,
+        methods: vec![Method::Revise, Method::Replan],
+        objective: None,
+        within: None,
+        limits: limits(),
+    };
+    ask(what, "change", &Request::Change(request));
+}
+
+/// The most memory that the process had so far, where the system tells it.
+fn assert_little_memory() {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kilobytes: Option<u64> =
+        peak.and_then(|text| text.trim().strip_suffix("kB")?.trim().parse().ok());
+    if let Some(kilobytes) = kilobytes {
+        println!("{} MB at most", kilobytes / 1000);
+        assert!(kilobytes < 2_000_000, "{kilobytes} kB");
+    }
+}
+
+/// Rules of each kind whose numbers are the largest, or nearly.
+fn largest() -> Vec<Value> {
+    let ends = json!([SIDE - 1, SIDE - 1]);
+    vec![
+        json!({ "kind": "capacity", "zone": "middle", "most": MOST }),
+        json!({ "kind": "capacity", "zone": "all", "most": 0, "from": MOST, "to": MOST }),
+        json!({ "kind": "capacity", "zone": "goal", "most": 0, "to": MOST - 1 }),
+        json!({ "kind": "capacity", "zone": "middle", "most": 1, "to": MOST - 1 }),
+        json!({ "kind": "capacity", "zone": "all", "most": 3, "from": MOST - 2, "to": MOST - 1 }),
+        json!({ "kind": "closed", "zone": "goal", "to": MOST - 1 }),
+        json!({ "kind": "closed", "zone": "goal", "from": 9, "to": MOST - 1 }),
+        json!({ "kind": "closed", "zone": "middle", "from": MOST - 1 }),
+        json!({ "kind": "closed", "zone": "goal", "from": MOST }),
+        json!({ "kind": "closed", "zone": "all", "from": MOST - 1, "to": MOST - 1 }),
+        json!({ "kind": "gap", "steps": MOST }),
+        json!({ "kind": "gap", "steps": 1000, "agents": ["A0", "A3"] }),
+        json!({ "kind": "apart", "distance": MOST }),
+        json!({ "kind": "apart", "distance": MOST, "from": MOST - 1, "to": MOST - 1 }),
+        json!({ "kind": "apart", "distance": 3, "to": MOST - 1 }),
+        json!({ "kind": "visit", "cell": [2, 2], "stay": MOST }),
+        json!({ "kind": "visit", "cell": [2, 2], "stay": 1000 }),
+        json!({ "kind": "visit", "cell": [2, 2], "agents": ["A0"], "stay": MOST - 2 }),
+        json!({ "kind": "visit", "cell": [2, 2], "agents": ["A0"], "from": MOST - 1 }),
+        json!({ "kind": "visit", "cell": ends, "stay": MOST, "agents": ["A0"] }),
+        json!({ "kind": "visit", "cell": ends, "from": MOST, "to": MOST, "agents": ["A0"] }),
+        json!({ "kind": "arrive", "from": MOST }),
+        json!({ "kind": "arrive", "from": MOST - 1, "by": MOST - 1 }),
+        json!({ "kind": "arrive", "by": MOST }),
+        json!({ "kind": "arrive", "by": MOST - 1 }),
+        json!({ "kind": "arrive", "by": 0 }),
+        json!({ "kind": "arrive", "by": 0, "weight": MOST }),
+        json!({ "kind": "arrive", "by": MOST - 1, "weight": MOST }),
+        json!({ "kind": "depart", "from": MOST }),
+        json!({ "kind": "depart", "from": MOST - 1, "agents": ["A0"] }),
+        json!({ "kind": "no-waiting", "zone": "all", "most": MOST }),
+        json!({ "kind": "turns", "quarter": MOST }),
+        json!({ "kind": "turns", "quarter": 5000, "agents": ["A1"] }),
+        json!({ "kind": "avoid", "zone": "all", "weight": MOST }),
+    ]
+}
+
+#[test]
+fn the_largest_numbers_end_in_time() {
+    let usual = usual_plan();
+    for rule in largest() {
+        let what = rule.to_string();
+        let scene = read(&scene(&zones(), slice::from_ref(&rule))).unwrap();
+        ask_all(&what, &scene, &usual.1);
+        ask_one(&what, &serde_json::from_value(rule).unwrap(), &usual);
+    }
+    assert_little_memory();
+}
+
+/// A rule of each kind that is mostly kept; `number` tells some of them apart.
+fn common(kind: &str, number: u32) -> Value {
+    let at = |x: u32| json!([x % SIDE as u32, x / SIDE as u32 % SIDE as u32]);
+    let mut rule = match kind {
+        "capacity" => json!({ "zone": "middle", "most": number % 3 + 1, "from": number % 50 }),
+        "closed" => json!({ "zone": "middle", "from": number + 4, "to": number + 5 }),
+        "one-way" => json!({ "lane": [[2, 0], [3, 0], [4, 0]] }),
+        "gap" => json!({ "steps": number % 3 + 1 }),
+        "apart" => json!({ "distance": 2, "from": number, "to": number + 1 }),
+        "sequence" => json!({ "agent": format!("A{}", number % 4), "cells": [at(number)] }),
+        "visit" => json!({ "cell": at(number), "agents": [format!("A{}", number % 4)] }),
+        "arrive" => json!({ "from": number % 20, "by": number + 500 }),
+        "late" => json!({ "by": number % 40, "weight": MOST - number }),
+        "depart" => json!({ "from": number % 9 }),
+        "before" => json!({ "first": { "agent": "A0", "cell": [1, 0] },
+                            "second": { "agent": "A3", "cell": at(number) } }),
+        "no-waiting" => json!({ "zone": "middle", "most": number % 7 }),
+        "turns" => json!({ "quarter": number % 2 + 1 }),
+        "avoid" => json!({ "zone": "middle", "weight": MOST - number }),
+        _ => panic!("{kind}"),
+    };
+    rule["kind"] = json!(if kind == "late" { "arrive" } else { kind });
+    rule
+}
+
+#[test]
+fn ten_thousand_rules_of_a_kind_end_in_time() {
+    let usual = usual_plan();
+    for kind in giveway_tests::rules_random::KINDS {
+        let rules: Vec<Value> = (0..10_000).map(|number| common(kind, number)).collect();
+        let scene = read(&scene(&zones(), &rules)).unwrap();
+        ask_all(&format!("10,000 of {kind}"), &scene, &usual.1);
+    }
+    assert_little_memory();
+}
+
+/// A scene on a large open map, with so many zones of all its 65,536 cells, one rule each.
+fn wide(zones: usize) -> Value {
+    let side = 256;
+    let all: Vec<Value> = (0..zones)
+        .map(|i| json!({ "name": format!("z{i}"), "rect": [0, 0, side - 1, side - 1] }))
+        .collect();
+    let rules = (0..zones).map(|i| {
+        let zone = format!("z{i}");
+        match i % 4 {
+            0 => json!({ "kind": "capacity", "zone": zone, "most": 4 }),
+            1 => json!({ "kind": "no-waiting", "zone": zone, "most": 3 }),
+            2 => json!({ "kind": "avoid", "zone": zone, "weight": MOST }),
+            _ => json!({ "kind": "closed", "zone": zone, "from": 600, "to": 601 }),
+        }
+    });
+    let rules: Vec<Value> = rules.collect();
+    let mut scene = scene(&json!(all), &rules);
+    scene["map"] = json!(vec![".".repeat(side); side]);
+    scene
+}
+
+#[test]
+fn large_zones_end_in_time() {
+    let usual = usual_plan();
+    // As many cells as a scene may have in its zones, and more.
+    let scene = read(&wide(64)).unwrap();
+    ask_all("64 zones of 65,536 cells", &scene, &usual.1);
+    let faults = native::read_instance(&wide(1000).to_string()).unwrap_err();
+    assert_eq!(faults[0].place, "zones", "{faults:?}");
+    assert_little_memory();
+}
+
+#[test]
+fn long_orders_end_in_time() {
+    let usual = usual_plan();
+    for count in [17, 300, 10_000] {
+        let cells: Vec<[usize; 2]> = (0..count).map(|i| [i % SIDE, i / SIDE % SIDE]).collect();
+        let rule = json!({ "kind": "sequence", "agent": "A0", "cells": cells });
+        let what = format!("an order of {count} stops");
+        let scene = read(&scene(&zones(), slice::from_ref(&rule))).unwrap();
+        ask_all(&what, &scene, &usual.1);
+        ask_one(&what, &serde_json::from_value(rule).unwrap(), &usual);
+    }
+    assert_little_memory();
+}
+
+#[test]
+fn rules_that_each_name_a_thousand_robots_end_in_time() {
+    let usual = usual_plan();
+    let side = 64;
+    let names: Vec<String> = (0..1000).map(|i| format!("robot {i}")).collect();
+    let agents = names.iter().enumerate().map(|(i, name)| {
+        let cell = |i: usize| [i % side, i / side * 2];
+        json!({ "name": name, "start": cell(i), "goal": cell((i + 1) % 1000) })
+    });
+    let rules: Vec<Value> = (0..1000)
+        .map(|i| json!({ "kind": "capacity", "zone": "half", "most": i, "agents": names }))
+        .collect();
+    let scene = json!({ "giveway": 1, "map": vec![".".repeat(side); side],
+        "agents": agents.collect::<Vec<Value>>(),
+        "zones": [{ "name": "half", "rect": [0, 0, 31, 63] }], "constraints": rules });
+    let scene = read(&scene).unwrap();
+    ask_all("1,000 rules of 1,000 robots", &scene, &usual.1);
+    assert_little_memory();
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_with_their_place() {
+    let numbers = [
+        "-1",
+        "-0.5",
+        "0.5",
+        "1e400",
+        "1000001",
+        "4294967295",
+        "4294967296",
+        "9007199254740992",
+        "18446744073709551616",
+    ];
+    let mut seen = 0;
+    for rule in largest() {
+        for (key, value) in rule.as_object().unwrap() {
+            if !value.is_u64() {
+                continue;
+            }
+            for number in numbers {
+                let mut rule = rule.clone();
+                rule[key] = json!("@");
+                let text = scene(&zones(), slice::from_ref(&rule)).to_string();
+                let text = text.replace("\"@\"", number);
+                let faults = native::read_instance(&text).unwrap_err();
+                let place = format!("constraints[0].{key}");
+                let is_there = |fault: &Fault| fault.place == place || number.contains('e');
+                assert!(faults.iter().any(is_there), "{number}: {faults:?}: {text}");
+                assert!(faults.iter().all(|it| it.line.is_some()), "{faults:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 400, "{seen}");
+    // Windows that end before they begin, and stays that are longer than theirs.
+    for rule in [
+        r#"{ "kind": "closed", "zone": "all", "from": 5, "to": 4 }"#,
+        r#"{ "kind": "apart", "distance": 2, "from": 1000000, "to": 0 }"#,
+        r#"{ "kind": "arrive", "from": 1000000, "by": 999999 }"#,
+        r#"{ "kind": "visit", "cell": [0, 0], "stay": 2, "from": 3, "to": 4 }"#,
+        r#"{ "kind": "visit", "cell": [0, 0], "stay": 1000000, "to": 999999 }"#,
+    ] {
+        let rule: Value = serde_json::from_str(rule).unwrap();
+        let faults = native::read_instance(&scene(&zones(), &[rule]).to_string()).unwrap_err();
+        assert!(faults[0].place.starts_with("constraints[0]."), "{faults:?}");
+    }
+}
