@@ -1,12 +1,17 @@
 //! Faults of zones and constraints: what `Instance::new` refuses.
 
+mod zones;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
     Constraint, ConstraintKind, MAX_CONSTRAINTS, MAX_NUMBER, MAX_ZONE_CELLS, MAX_ZONES, Zone, meant,
 };
 use crate::condition::Times;
+use crate::format::text::shorten;
+use crate::sorting::set;
 use crate::{Cell, Fault, Grid, Ground, Scene, tr, tr_later};
+use zones::{check_zone, off_map};
 
 /// Finds the faults of a scene's zones and constraints.
 pub(crate) fn find(scene: &Scene, grid: &Grid, faults: &mut Vec<Fault>) {
@@ -19,6 +24,8 @@ pub(crate) fn find(scene: &Scene, grid: &Grid, faults: &mut Vec<Fault>) {
         check_name(&zone.name, (i, &place, "zones"), &mut names, faults);
         check_zone(zone, &place, grid, faults);
     }
+    let agents = scene.agents.iter();
+    let agents: BTreeSet<&str> = set(agents.map(|agent| agent.name.as_str()));
     let mut names = BTreeMap::new();
     for (i, constraint) in scene.constraints.iter().enumerate() {
         let place = format!("constraints[{i}]");
@@ -26,7 +33,7 @@ pub(crate) fn find(scene: &Scene, grid: &Grid, faults: &mut Vec<Fault>) {
             check_name(name, (i, &place, "constraints"), &mut names, faults);
         }
         let world = World {
-            is_agent: &|name| scene.agents.iter().any(|agent| agent.name == name),
+            is_agent: &|name| agents.contains(name),
             zones: &scene.zones,
             grid,
         };
@@ -106,76 +113,15 @@ fn check_name<'s>(
     } else if let Some(first) = names.insert(name, i) {
         faults.push(Fault::at(
             place,
-            tr!("\"{name}\", the name of {list}[{first}]", name, list, first),
+            tr!(
+                "\"{name}\", the name of {list}[{first}]",
+                name = shorten(name),
+                list,
+                first
+            ),
             tr_later!("a name of its own"),
         ));
     }
-}
-
-fn check_zone(zone: &Zone, place: &str, grid: &Grid, faults: &mut Vec<Fault>) {
-    match (&zone.listed, zone.rect) {
-        (Some(_), Some(_)) => faults.push(Fault::at(
-            format!("{place}.rect"),
-            tr_later!("both cells and a rect"),
-            tr_later!("one of them"),
-        )),
-        (None, None) => faults.push(Fault::at(
-            place,
-            tr_later!("neither cells nor a rect"),
-            tr_later!("one of them"),
-        )),
-        (Some(cells), None) => check_listed(cells, place, grid, faults),
-        (None, Some([x0, y0, x1, y1])) => {
-            let place = format!("{place}.rect");
-            if x0 > x1 || y0 > y1 {
-                faults.push(Fault::at(
-                    place,
-                    format!("[{x0}, {y0}, {x1}, {y1}]"),
-                    tr_later!("the corner at the top left, then the one at the bottom right"),
-                ));
-            } else if let Some(fault) = off_map(Cell::new(x1, y1), grid, &place) {
-                faults.push(fault);
-            }
-        }
-    }
-}
-
-fn check_listed(cells: &[Cell], place: &str, grid: &Grid, faults: &mut Vec<Fault>) {
-    if cells.is_empty() {
-        faults.push(Fault::at(
-            format!("{place}.cells"),
-            tr_later!("no cell"),
-            tr_later!("at least one cell"),
-        ));
-    }
-    let mut seen = BTreeSet::new();
-    for (k, &cell) in cells.iter().enumerate() {
-        let place = format!("{place}.cells[{k}]");
-        if let Some(fault) = off_map(cell, grid, &place) {
-            faults.push(fault);
-        } else if !seen.insert(cell) {
-            faults.push(Fault::at(
-                place,
-                tr!("{cell} again", cell),
-                tr_later!("each cell once"),
-            ));
-        }
-    }
-}
-
-fn off_map(cell: Cell, grid: &Grid, place: &str) -> Option<Fault> {
-    let is_off = grid.ground(cell).is_none();
-    is_off.then(|| {
-        Fault::at(
-            place,
-            format!("({}, {})", cell.x, cell.y),
-            tr!(
-                "a cell of the {width} x {height} map",
-                width = grid.width(),
-                height = grid.height()
-            ),
-        )
-    })
 }
 
 /// The faults of one constraint.
@@ -204,7 +150,7 @@ impl Check<'_> {
             let key = format!("agents[{k}]");
             self.agent(&key, name);
             if !seen.insert(name) {
-                let found = tr!("\"{name}\" again", name);
+                let found = tr!("\"{name}\" again", name = shorten(name));
                 self.fault(&key, found, tr_later!("each robot once"));
             }
         }
@@ -212,7 +158,7 @@ impl Check<'_> {
 
     fn agent(&mut self, key: &str, name: &str) {
         if !(self.world.is_agent)(name) {
-            let found = tr!("the unknown robot \"{name}\"", name);
+            let found = tr!("the unknown robot \"{name}\"", name = shorten(name));
             self.fault(key, found, tr_later!("a robot of the scene"));
         }
     }
@@ -250,7 +196,7 @@ impl Check<'_> {
 
     fn zone(&mut self, name: &str) {
         if !self.world.zones.iter().any(|zone| zone.name == name) {
-            let found = tr!("the unknown zone \"{name}\"", name);
+            let found = tr!("the unknown zone \"{name}\"", name = shorten(name));
             self.fault("zone", found, tr_later!("a zone of the scene"));
         }
     }

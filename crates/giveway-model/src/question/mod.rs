@@ -12,6 +12,7 @@ mod fits;
 mod holds;
 mod least;
 mod misfit;
+mod names;
 mod not_so;
 mod sentence;
 mod so;
@@ -23,9 +24,10 @@ use serde::{Deserialize, Serialize};
 use crate::{Cell, Constraint};
 
 pub use asked::Asked;
-pub use fits::{fits, names_exist};
+pub use fits::fits;
 pub use holds::holds;
 pub use misfit::Misfit;
+pub use names::names_exist;
 pub use sentence::sentence;
 pub use words::{WordsError, from_words, to_words};
 
