@@ -11,11 +11,7 @@ mod others;
 #[cfg(test)]
 mod tests;
 
-use giveway_model::{
-    Assumption, Costs, Fault, Instance, Objective, Scene,
-    change::{Change, Changes, What},
-    tr,
-};
+use giveway_model::{Assumption, Costs, Fault, Instance, Objective, Scene, tr};
 
 pub(crate) use others::{
     weaken_changed, weaken_delays, weaken_explained, weaken_freedom, weaken_planned, weaken_priced,
@@ -65,36 +61,6 @@ pub(crate) fn refuse_moving(scene: &Scene) -> Result<(), Refusal> {
     let expected = tr!("a scene without them");
     let faults = vec![Fault::at("assumptions", found, expected)];
     Err(Refusal::Scene { faults })
-}
-
-/// Refuses what does not heed rules of a scene's own.
-///
-/// # Errors
-/// When the scene has one that is not off.
-pub(crate) fn refuse_constrained(scene: &Scene) -> Result<(), Refusal> {
-    let Some(index) = scene.constraints.iter().position(|rule| !rule.off) else {
-        return Ok(());
-    };
-    let found = tr!("a rule of the scene's own, which questions after a change do not heed yet");
-    let expected = tr!("rules that are off");
-    let faults = vec![Fault::at(format!("constraints[{index}]"), found, expected)];
-    Err(Refusal::Scene { faults })
-}
-
-/// Refuses what does not heed rules of a scene's own that begin while a plan runs.
-///
-/// # Errors
-/// When a change adds one that is not off.
-pub(crate) fn refuse_constraining(changes: Option<&Changes>) -> Result<(), Refusal> {
-    let mut changes = changes.iter().flat_map(|it| &it.changes);
-    let adds = |change: &Change| matches!(&change.what, What::AddConstraint { constraint } if !constraint.off);
-    let Some(index) = changes.position(adds) else {
-        return Ok(());
-    };
-    let found = tr!("a rule of the scene's own, which only check and change heed");
-    let expected = tr!("changes without new rules");
-    let faults = vec![Fault::at(format!("changes[{index}]"), found, expected)];
-    Err(Refusal::Changes { faults })
 }
 
 /// Refuses what compares all best plans of a scene with agents that have no goal.

@@ -75,24 +75,6 @@ impl Request {
         }
     }
 
-    /// The changes of a request that does not heed rules of a scene's own.
-    pub(crate) const fn unconstrained_changes(&self) -> Option<&Changes> {
-        match self {
-            Self::Explain(request) => request.changes.as_ref(),
-            Self::Solve(_)
-            | Self::Check(_)
-            | Self::Certify(_)
-            | Self::Export(_)
-            | Self::Change(_)
-            | Self::Audit(_)
-            | Self::Plan(_)
-            | Self::Freedom(_)
-            | Self::Price(_)
-            | Self::Delays(_)
-            | Self::Together(_) => None,
-        }
-    }
-
     /// The request as one that [`serve_basic`](crate::serve_basic) serves; `None`
     /// where it takes [`serve`](crate::serve).
     pub const fn basic(&self) -> Option<Basic<'_>> {

@@ -141,9 +141,7 @@ impl Refusal {
 /// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
     let moving = request.claimed_scene().map(assumed::refuse_moving);
-    let constraining = assumed::refuse_constraining(request.unconstrained_changes());
-    let mut refused = moving.into_iter().chain([constraining]);
-    if let Some(Err(refusal)) = refused.find(Result::is_err) {
+    if let Some(Err(refusal)) = moving {
         return Response::Refused(refusal);
     }
     match request {

@@ -384,7 +384,7 @@ export interface Fact {
   cell: Cell | null;
   /** Of a rule of the scene's own: its number, from 0. */
   index?: number;
-  /** Of a breakdown: when it began, and the time from which the agent may go on. */
+  /** Of a breakdown: when it began, and the time from which the agent may go on. Of a rule: when a change added it. */
   time?: number;
   until?: number;
   text: string;

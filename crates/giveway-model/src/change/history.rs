@@ -122,6 +122,13 @@ impl History {
         &self.constraints
     }
 
+    /// The same world with other rules.
+    pub(crate) fn with_rules(&self, edit: impl FnOnce(&mut Vec<TimedConstraint>)) -> Self {
+        let mut edited = self.clone();
+        edit(&mut edited.constraints);
+        edited
+    }
+
     /// The agents that a plan still has at a time: those that were neither
     /// removed nor have vanished before.
     pub fn trajectories<'a>(&'a self, plan: &'a Plan, time: u32) -> Vec<Trajectory<'a>> {

@@ -4,15 +4,18 @@ mod start_state;
 mod variant;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 pub use start_state::{Breakdown, ClosedCell, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::format::text::shorten;
-use crate::sorting::map;
+use crate::sorting::{map, set};
 use crate::{
     Agent, Assumption, AtGoal, Cell, Constraint, Cost, Fault, Grid, GridError, Ground, Objective,
-    Rules, Scene, Version, Zone, constraint::InForce, tr, tr_later,
+    Rules, Scene, Version, Zone,
+    constraint::{InForce, TimedConstraint},
+    tr, tr_later,
 };
 
 /// The largest map side that is accepted, in cells.
@@ -47,6 +50,8 @@ pub struct Instance {
     assumptions: Vec<Assumption>,
     zones: Vec<Zone>,
     constraints: Vec<Constraint>,
+    /// The same rules as a person wrote them, of the rest of a running plan; else none.
+    as_written: Arc<[TimedConstraint]>,
     /// By the agents' names; an agent that is not here has nothing behind it.
     start_states: BTreeMap<String, StartState>,
 }
@@ -107,6 +112,7 @@ impl Instance {
             assumptions: scene.assumptions,
             zones: scene.zones,
             constraints: scene.constraints,
+            as_written: Arc::default(),
             start_states: BTreeMap::new(),
         })
     }
@@ -165,6 +171,28 @@ impl Instance {
     /// The rules of its own, in force or not.
     pub fn constraints(&self) -> &[Constraint] {
         &self.constraints
+    }
+
+    /// A rule of its own as a person wrote it, by its number: of the rest of a running plan in
+    /// times of the whole plan, with all that was to be done.
+    pub fn rule_as_written(&self, rule: usize) -> Option<&Constraint> {
+        let timed = self.as_written.get(rule);
+        timed.map_or_else(|| self.constraints.get(rule), |it| Some(&it.constraint))
+    }
+
+    /// The time at which a change added a rule, by its number; `None` for one of the scene.
+    pub fn rule_added_at(&self, rule: usize) -> Option<u32> {
+        self.as_written.get(rule)?.since
+    }
+
+    /// The rules that forbid something, by number, ascending: those in force, and those of
+    /// which only cells are left that are closed to an agent for what others did before.
+    pub fn rules_in_effect(&self) -> BTreeSet<usize> {
+        let in_force = self.constraints_in_force().map(|rule| rule.index);
+        let states = self.agents.iter().map(|it| self.start_state(&it.name));
+        let closed = states.flat_map(|state| &state.closed_cells);
+        let closed = closed.map(|it| it.rule);
+        set(in_force.chain(closed.filter(|&rule| rule < self.constraints.len())))
     }
 
     /// The rules of its own that are in force, with the agents that they bind.

@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::Instance;
+use crate::constraint::TimedConstraint;
 use crate::sorting::map;
 use crate::{Agent, Cell, Constraint, Grid};
 
@@ -38,8 +39,8 @@ pub struct StartState {
     pub begun: BTreeMap<usize, u32>,
     /// For how many time steps it has stood since its last move.
     pub stood: u32,
-    /// Whether a rule about its arrival forbids it to stay where it rested.
-    pub must_go_on: bool,
+    /// Rules about its arrival, by number, that forbid it to stay where it rested.
+    pub must_go_on: Vec<usize>,
     /// What rules of the scene's own make it cost if it does not stay where it rested.
     pub penalty_if_it_goes_on: u32,
 }
@@ -82,7 +83,7 @@ impl StartState {
             closed_cells: Vec::new(),
             begun: BTreeMap::new(),
             stood: 0,
-            must_go_on: false,
+            must_go_on: Vec::new(),
             penalty_if_it_goes_on: 0,
         }
     }
@@ -97,17 +98,32 @@ impl StartState {
     pub fn begun(&self, rule: usize) -> u32 {
         self.begun.get(&rule).copied().unwrap_or(0)
     }
+
+    /// Gives rules other numbers; what a rule without one counts is left out.
+    pub(super) fn renumber(&mut self, number: impl Fn(usize) -> Option<usize>) {
+        let renumbered = |rules: &[usize]| rules.iter().filter_map(|&rule| number(rule)).collect();
+        self.uncounted = renumbered(&self.uncounted);
+        self.must_go_on = renumbered(&self.must_go_on);
+        self.closed_cells.retain_mut(|closed| {
+            let new = number(closed.rule);
+            closed.rule = new.unwrap_or(closed.rule);
+            new.is_some()
+        });
+        let begun = self.begun.iter();
+        self.begun = map(begun.filter_map(|(&rule, &steps)| Some((number(rule)?, steps))));
+    }
 }
 
 impl Instance {
     /// The same instance with another map and other rules, and with agents that are half way
-    /// through their tasks. Two things that an instance promises may fail then: an agent in transit may
+    /// through their tasks; `as_written` are the rules in times of the whole plan. Two things that an instance promises may fail then: an agent in transit may
     /// share its start, and a goal or a waypoint may be an obstacle, so that there is no plan.
     pub(crate) fn resumed(
         &self,
         grid: Grid,
         agents: Vec<(Agent, StartState)>,
         constraints: Vec<Constraint>,
+        as_written: &[TimedConstraint],
     ) -> Self {
         let states = agents.iter();
         let start_states = map(states.map(|(agent, state)| (agent.name.clone(), state.clone())));
@@ -120,6 +136,7 @@ impl Instance {
             assumptions: self.assumptions.clone(),
             zones: self.zones.clone(),
             constraints,
+            as_written: as_written.into(),
             start_states,
         }
     }

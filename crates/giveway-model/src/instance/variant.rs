@@ -26,15 +26,40 @@ impl Instance {
     /// Keeps the first agents only, so many of them.
     pub fn truncate_agents(&mut self, count: usize) {
         self.agents.truncate(count);
-        let agents = &self.agents;
-        self.constraints.retain_mut(|rule| rule.keep_agents(agents));
+        self.keep_rules_of_agents();
     }
 
     /// Leaves an agent out, and with it the rules that bind nobody any more.
     pub fn leave_out(&mut self, name: &str) {
         self.agents.retain(|agent| agent.name != name);
+        self.keep_rules_of_agents();
+    }
+
+    /// Leaves out rules that bind nobody any more; the others get new numbers.
+    fn keep_rules_of_agents(&mut self) {
         let agents = &self.agents;
-        self.constraints.retain_mut(|rule| rule.keep_agents(agents));
+        let kept = self.constraints.iter_mut();
+        let kept: Vec<bool> = kept.map(|rule| rule.keep_agents(agents)).collect();
+        let is_kept = |rule: usize| kept.get(rule).copied().unwrap_or(true);
+        let number = |rule: usize| {
+            let before = (0..rule).filter(|&other| is_kept(other)).count();
+            is_kept(rule).then_some(before)
+        };
+        self.renumber_rules(number);
+        let mut rules = 0..;
+        self.constraints
+            .retain(|_| rules.next().is_some_and(is_kept));
+        if kept.contains(&false) {
+            let written = self.as_written.iter().enumerate();
+            let written = written.filter(|(rule, _)| is_kept(*rule));
+            self.as_written = written.map(|(_, timed)| timed.clone()).collect();
+        }
+    }
+
+    fn renumber_rules(&mut self, number: impl Fn(usize) -> Option<usize>) {
+        for state in self.start_states.values_mut() {
+            state.renumber(&number);
+        }
     }
 
     /// The same instance with one agent only; `None` where nobody has the name.
@@ -50,6 +75,7 @@ impl Instance {
             agents: vec![agent.clone()],
             zones: self.zones.clone(),
             constraints: self.constraints.clone(),
+            as_written: self.as_written.clone(),
             start_states: self.start_states.clone(),
         })
     }
@@ -108,7 +134,8 @@ impl Instance {
         }
     }
 
-    /// The same instance with one more rule, which fits it.
+    /// The same instance with one more rule, which fits it. What start states count for a rule
+    /// of the next number counts for it.
     #[must_use]
     pub fn with_rule(mut self, rule: &Constraint) -> Self {
         self.constraints.push(Constraint {
@@ -118,11 +145,23 @@ impl Instance {
         self
     }
 
+    /// Takes away the last rule. What start states count for it stays, so that
+    /// [`Self::with_rule`] adds it again as it was.
+    pub fn pop_rule(&mut self) -> Option<Constraint> {
+        let rule = self.constraints.pop()?;
+        let count = self.constraints.len();
+        self.as_written = self.as_written.iter().take(count).cloned().collect();
+        Some(rule)
+    }
+
     /// The same instance with this rule, which fits it, as its only one.
     #[must_use]
     pub fn with_only_rule(&self, rule: &Constraint) -> Self {
         let mut alone = self.clone();
+        let next = alone.constraints.len();
+        alone.renumber_rules(|rule| (rule == next).then_some(0));
         alone.constraints.clear();
+        alone.as_written = std::sync::Arc::default();
         alone.with_rule(rule)
     }
 
@@ -133,6 +172,7 @@ impl Instance {
         }
         for state in self.start_states.values_mut() {
             state.closed_cells.retain(|closed| !is_off(closed.rule));
+            state.must_go_on.retain(|&rule| !is_off(rule));
         }
     }
 

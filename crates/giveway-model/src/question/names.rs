@@ -1,6 +1,7 @@
 //! Whether what a question names exists in the instance.
 
 use super::{Misfit, Question, so};
+use crate::constraint::find;
 use crate::{Cell, Constraint, Fault, Ground, Instance, tr, tr_later};
 
 /// Agents that a fault lists by name.
@@ -110,9 +111,8 @@ impl Names<'_> {
             off: false,
             ..rule.clone()
         }];
-        let Err(faults) = Instance::new(scene) else {
-            return Ok(());
-        };
+        let mut faults = Vec::new();
+        find(&scene, self.instance.grid(), &mut faults);
         match faults.into_iter().next() {
             None => Ok(()),
             Some(mut fault) => {

@@ -11,6 +11,7 @@ mod rules;
 mod whole;
 
 use crate::change::{History, Timeline, Trajectory};
+use crate::constraint::TimedConstraint;
 use crate::{Instance, Plan, sorting};
 pub use agent::RunningAgent;
 use rules::{RestOfRules, Resumed};
@@ -99,9 +100,19 @@ impl<'a> Snapshot<'a> {
             past,
             history,
             plan,
-            instance: instance.resumed(history.grid(at).clone(), states, constraints),
+            instance: {
+                let grid = history.grid(at).clone();
+                instance.resumed(grid, states, constraints, history.constraints())
+            },
             agents,
         }
+    }
+
+    /// The rest as it is after an edit of the rules. A rule that is added last, at the time of
+    /// the snapshot, has the next number.
+    pub fn with_rules(&self, edit: impl FnOnce(&mut Vec<TimedConstraint>)) -> Instance {
+        let history = self.history.with_rules(edit);
+        Snapshot::new(self.at, &self.instance, (self.past, &history), self.plan).instance
     }
 
     /// The rest of the running plan, in times from 0. It may be no plan in the changed

@@ -70,7 +70,7 @@ impl OwnRules<'_> {
                     begun: state.begun(rule.index).min(*stay),
                 }));
             }
-            ConstraintKind::Arrive { times } => self.arrive(agent, meant(*times), task),
+            ConstraintKind::Arrive { times } => self.arrive(rule.index, agent, meant(*times), task),
             ConstraintKind::Depart { from } => {
                 task.earliest_move = task.earliest_move.max(*from);
             }

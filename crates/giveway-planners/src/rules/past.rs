@@ -19,12 +19,12 @@ impl OwnRules<'_> {
         self.instance.start_state(name)
     }
 
-    /// Makes an agent arrive at some of these times. One that arrived before time 0 may stay,
+    /// Makes an agent arrive at some of these times, for a rule of this number. One that arrived before time 0 may stay,
     /// where that was allowed; with no time left it must.
-    pub(super) fn arrive(&self, agent: AgentId, times: Times, task: &mut Task) {
+    pub(super) fn arrive(&self, rule: usize, agent: AgentId, times: Times, task: &mut Task) {
         let state = self.state(agent);
         let has_rested = task.cost_if_it_leaves_goal > 0;
-        let may_stay = has_rested && !state.must_go_on;
+        let may_stay = has_rested && !state.must_go_on.contains(&rule);
         let is_past = times.first() > times.last();
         if is_past {
             task.conditions.limit(Cost::Makespan, 0);
@@ -48,7 +48,8 @@ impl OwnRules<'_> {
     /// What happened before time 0, as far as rules keep an agent from something for it.
     pub(super) fn impose_past(&self, agent: AgentId, task: &mut Task, terrain: &Terrain) {
         let state = self.state(agent);
-        for closed in &state.closed_cells {
+        let rules = self.instance.constraints().len();
+        for closed in state.closed_cells.iter().filter(|it| it.rule < rules) {
             if let Some(v) = terrain.vertex(closed.cell) {
                 let to = (closed.until < u32::MAX).then_some(closed.until);
                 let times = Times { from: None, to };

@@ -170,7 +170,8 @@ pub struct Fact {
     /// The number in the scene, from 0, of a rule of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub index: Option<u32>,
-    /// When it began, in steps of the whole plan, for a breakdown.
+    /// When it began, in steps of the whole plan, for a breakdown; when a change added it, for
+    /// a rule.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time: Option<u32>,
     /// The time from which the agent may go on, for a breakdown.
@@ -297,7 +298,7 @@ pub enum Edit {
         index: u32,
         /// The rule in words: its name, or else its sentence.
         rule: String,
-        /// The new last time.
+        /// The new last time, of a running plan in times of the whole.
         to: u32,
     },
 }

@@ -2,10 +2,11 @@
 //! of the plan at the last change that counts.
 
 use giveway_model::{
-    Fault, Instance, Plan, Question,
+    Condition, Constraint, Fault, Instance, Plan, Question,
     change::{Changes, History},
     check::{Rule, check_history},
-    question::Misfit,
+    constraint::TimedConstraint,
+    question::{Misfit, names_exist},
     snapshot::Snapshot,
     tr,
 };
@@ -144,6 +145,10 @@ pub(super) fn asked(
         )));
     }
     begin_wait(question, snapshot, instance)?;
+    let asked_rule = match question {
+        Question::Rule { rule } => Some(begin_rule(question, rule, snapshot, instance)?),
+        _ => None,
+    };
     if let Some(within) = request.within.filter(|within| *within < since) {
         return Err(refused(tr!(
             "Nothing can be asked about plans that end by time {within}: the question is about \
@@ -163,6 +168,9 @@ pub(super) fn asked(
                 cell
             )));
         }
+    }
+    if let Some(question) = asked_rule {
+        return Ok((question, request.within.map(|within| within - since)));
     }
     // Of an interval that began before, what is left.
     let mut question = shifted(question, |time| time.saturating_sub(since));
@@ -208,6 +216,70 @@ fn begin_wait(
     }
     instance.start_state_mut(agent).waits_begun = begun;
     Ok(())
+}
+
+/// The rest with the start states of a rule that is asked about, which is none of its own; and
+/// that rule on the rest.
+pub(super) fn with_question(
+    snapshot: &Snapshot<'_>,
+    rule: &Constraint,
+    edit: impl FnOnce(&mut Vec<TimedConstraint>),
+) -> (Instance, Option<Constraint>) {
+    let mut instance = snapshot.with_rules(|rules| {
+        edit(rules);
+        rules.push(TimedConstraint {
+            constraint: Constraint {
+                off: false,
+                ..rule.clone()
+            },
+            since: Some(snapshot.at),
+            until: None,
+        });
+    });
+    let rule = instance.pop_rule();
+    (instance, rule)
+}
+
+/// A question about a rule as one about the rest: as if it were added at the time of the last
+/// change. What was done before counts, as the start states of the instance then say.
+///
+/// # Errors
+/// Where the rule does not fit the world, or the plan keeps it.
+fn begin_rule(
+    question: &Question,
+    rule: &Constraint,
+    snapshot: &Snapshot<'_>,
+    instance: &mut Instance,
+) -> Result<Question, Refusal> {
+    names_exist(question, instance).map_err(|misfit| Refusal::Question { misfit })?;
+    let (since, sentence) = (snapshot.at, rule.sentence());
+    let is_alike = |own: &TimedConstraint| {
+        own.is_there(since)
+            && !own.constraint.off
+            && (&own.constraint.kind, &own.constraint.agents) == (&rule.kind, &rule.agents)
+    };
+    if snapshot.history.constraints().iter().any(is_alike) {
+        return Err(refused(tr!(
+            "It is so: the scene has this rule, \"{sentence}\".",
+            sentence
+        )));
+    }
+    let (with, rest) = with_question(snapshot, rule, |_| {});
+    let left = rest.filter(|rest| !rest.off);
+    let is_kept = |rest: &Constraint| {
+        let condition = Condition::Keeps(Box::new(rest.clone()));
+        condition.holds(&with, &snapshot.rest()) == Some(true)
+    };
+    let Some(rest) = left.filter(|rest| !is_kept(rest)) else {
+        return Err(refused(tr!(
+            "It is so: this plan keeps the rule \"{sentence}\" from time {since} on.",
+            sentence,
+            since
+        )));
+    };
+    *instance = with;
+    let rule = Box::new(rest);
+    Ok(Question::Rule { rule })
 }
 
 /// A question with other times.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::{Battery, Cell, Instance, constraint::ConstraintKind};
 
-use super::{answer::Edit, group::Variant};
+use super::{answer::Edit, group::Variant, whole::WholePlan};
 use crate::problem::Relaxed;
 
 /// The instance after some edits, deadlines apart, which are no part of it.
@@ -18,7 +18,7 @@ use crate::problem::Relaxed;
 /// assert_eq!(edited_instance(&instance, &[edit]).grid().rows(), ["..."]);
 /// ```
 pub fn edited_instance(instance: &Instance, edits: &[Edit]) -> Instance {
-    edited(instance, edits, None).instance
+    edited(instance, edits, None, WholePlan::default()).instance
 }
 
 /// Gives a rule of the scene's own a kind that asks for less, where it has one.
@@ -34,9 +34,36 @@ fn weaken(
     }
 }
 
-/// The instance after some edits.
-pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -> Variant {
-    let mut after = instance.clone();
+/// The instance after some edits; of the rest of a running plan, what rules count of its past
+/// is counted anew.
+pub(crate) fn edited(
+    instance: &Instance,
+    edits: &[Edit],
+    within: Option<u32>,
+    whole: WholePlan,
+) -> Variant {
+    let last_times = edits.iter().filter_map(|edit| match edit {
+        Edit::GiveUntil { index, to, .. } => Some((*index as usize, *to)),
+        Edit::RemoveObstacle { .. }
+        | Edit::AddCharger { .. }
+        | Edit::Battery { .. }
+        | Edit::BatteryFloor { .. }
+        | Edit::Deadline { .. }
+        | Edit::MakeNormal { .. }
+        | Edit::DropWaypoint { .. }
+        | Edit::Vanish
+        | Edit::LeaveOut { .. }
+        | Edit::SwitchOff { .. }
+        | Edit::AllowMore { .. } => None,
+    });
+    let last_times: Vec<(usize, u32)> = last_times.collect();
+    let counted_anew = if last_times.is_empty() {
+        None
+    } else {
+        whole.with_last_times(instance, &last_times)
+    };
+    let is_counted_anew = counted_anew.is_some();
+    let mut after = counted_anew.unwrap_or_else(|| instance.clone());
     let mut within = within;
     let mut free: BTreeSet<Cell> = BTreeSet::new();
     let mut chargers: BTreeSet<Cell> = BTreeSet::new();
@@ -78,9 +105,10 @@ pub(crate) fn edited(instance: &Instance, edits: &[Edit], within: Option<u32>) -
             Edit::AllowMore { index, most, .. } => {
                 weaken(&mut after, *index, |kind| kind.with_most(*most));
             }
-            Edit::GiveUntil { index, to, .. } => {
+            Edit::GiveUntil { index, to, .. } if !is_counted_anew => {
                 weaken(&mut after, *index, |kind| kind.with_last_time(*to));
             }
+            Edit::GiveUntil { .. } => {}
         }
     }
     for agent in left_out {

@@ -8,7 +8,7 @@ use giveway_model::tr;
 use giveway_model::{
     Costs, Instance, Objective, Plan, Question,
     check::{self, Report, check_history},
-    question::{Misfit, fits, names_exist},
+    question::{Misfit, names_exist},
 };
 
 use super::{
@@ -24,7 +24,7 @@ use super::{
     words,
 };
 use crate::{
-    Host, Progress, Refusal, Status, assumed,
+    Host, Progress, Refusal, Status,
     budget::Budget,
     problem::Relaxed,
     solve::{self, SolveTask, Solved},
@@ -40,12 +40,10 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     if let Some(objective) = &request.objective {
         instance = instance.with_objective(objective.clone());
     }
-    let in_force = instance.in_force(instance.objective().clone());
-    let instance = instance.with_objective(in_force);
     let budget = Rc::new(Budget::new(host, request.limits));
     let Some(changes) = counting(request.changes.as_ref(), request.at) else {
         let asked = PlanQuestion {
-            instance,
+            instance: with_penalty(instance),
             plan: request.plan.clone(),
             question: request.question.clone(),
             within: request.within,
@@ -53,13 +51,13 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         };
         return answered(&asked, &budget, host);
     };
-    assumed::refuse_constrained(&request.scene)?;
     let world = ChangedWorld::new(&instance, &changes, request.plan.as_ref())?;
     let solvable = !matches!(request.question, Question::Unsolvable);
     if solvable {
         let report = check_history(&world.after, &world.plan);
         if !report.is_valid() && matches!(request.question, Question::Plan) {
-            return Ok(broken(report, instance.objective(), &budget));
+            let in_force = with_penalty(world.snapshot(&instance).instance);
+            return Ok(broken(report, in_force.objective(), &budget));
         }
         if !report.is_valid() {
             let violations = report.violations;
@@ -70,7 +68,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
     let mut instance = snapshot.instance.clone();
     let (question, within) = asked(request, &snapshot, &mut instance)?;
     let asked = PlanQuestion {
-        instance,
+        instance: with_penalty(instance),
         plan: solvable.then(|| snapshot.rest()),
         question,
         within,
@@ -79,6 +77,12 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         },
     };
     answered(&asked, &budget, host)
+}
+
+/// An instance with its objective as it is in force.
+fn with_penalty(instance: Instance) -> Instance {
+    let in_force = instance.in_force(instance.objective().clone());
+    instance.with_objective(in_force)
 }
 
 /// A question about an instance and its plan.
@@ -130,7 +134,7 @@ fn answered(
         costs,
     };
     let refused = |misfit| Refusal::Question { misfit };
-    names_exist(question, instance).map_err(refused)?;
+    names_exist(whole.asked(question), instance).map_err(refused)?;
     let mut answer = ExplainAnswer::empty(question);
     if matches!(question, Question::Unsolvable) {
         no_plan(instance, within, &mut answer, &telling)?;
@@ -158,8 +162,7 @@ fn answered(
     let Some(costs) = check::costs(instance, &plan).filter(|_| violations.is_empty()) else {
         return Err(Refusal::Plan { violations });
     };
-    fits(question, instance, &plan)
-        .map_err(|misfit| refused(whole.misfit(question, instance, &plan, misfit)))?;
+    whole.fits(question, instance, &plan).map_err(refused)?;
     answer.plan = best;
     let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
     case.optimal = solved.and_then(|solved| solved.reach);

@@ -116,17 +116,29 @@ impl Group {
                 | Self::Breakdown(..) => None,
             },
             helps: Helps::Unknown,
-            time: breakdown.map(|breakdown| breakdown.from),
+            time: match self {
+                Self::Constraint(index) => instance.rule_added_at(index),
+                Self::Task(_)
+                | Self::Waypoint(..)
+                | Self::Battery(_)
+                | Self::Obstacle(_)
+                | Self::Collision(..)
+                | Self::Stay(_)
+                | Self::Slow
+                | Self::Deadline
+                | Self::Floor
+                | Self::Breakdown(..) => breakdown.map(|breakdown| breakdown.from),
+            },
             until: breakdown.map(|breakdown| breakdown.to),
         }
     }
 
-    /// The rule of the scene's own that it is, where it is one.
+    /// The rule of the scene's own that it is, as it was written, where it is one.
     pub(crate) fn constraint(self, instance: &Instance) -> Option<&Constraint> {
         let Self::Constraint(index) = self else {
             return None;
         };
-        instance.constraints().get(index)
+        instance.rule_as_written(index)
     }
 
     /// The breakdown that it is, where it is one.
@@ -172,8 +184,8 @@ pub(crate) fn groups(instance: &Instance, asked: &[usize], deadline: bool) -> Ve
         .any(|agent| agent.battery.is_some());
     let has_floor = has_battery && instance.rules().battery_floor > 0;
     groups.extend(has_floor.then_some(Group::Floor));
-    let rules = instance.constraints_in_force();
-    groups.extend(rules.map(|rule| Group::Constraint(rule.index)));
+    let rules = instance.rules_in_effect().into_iter();
+    groups.extend(rules.map(Group::Constraint));
     sort(&mut groups);
     groups
 }

@@ -199,6 +199,7 @@ fn help_case(
         asked: &asked,
         reach,
         cores: core.sets().map(<[Group]>::to_vec).collect(),
+        whole: case.whole,
     };
     let found = repairs(&broken, &mut inquiry);
     budget.absorb(&inquiry.budget);
@@ -257,6 +258,7 @@ pub(crate) fn of_no_plan(
             asked: &[],
             reach,
             cores: core.sets().map(<[Group]>::to_vec).collect(),
+            whole,
         };
         let found = repairs(&broken, &mut any_plan);
         budget.absorb(&any_plan.budget);

@@ -24,6 +24,7 @@ use super::{
     edits::edited,
     group::{Group, Variant, has_slow_edge},
     group_mus::{Inquiry, Tried},
+    whole::WholePlan,
     words,
 };
 use crate::search::Proved;
@@ -56,6 +57,8 @@ pub(crate) struct Unsolved<'a> {
     pub(crate) reach: Proved,
     /// Sets of facts that exclude a plan, one at least.
     pub(crate) cores: Vec<Vec<Group>>,
+    /// The plan of which the instance is the rest.
+    pub(crate) whole: WholePlan<'a>,
 }
 
 /// The edits that would help.
@@ -144,7 +147,10 @@ impl RepairSearch<'_> {
         if edits.iter().any(|edit| is_as_good_as_off(edit, instance)) {
             return outcome; // its rule is also switched off
         }
-        let Some(mut best) = self.solver.best(&edited(instance, &edits, within)) else {
+        let Some(mut best) = self
+            .solver
+            .best(&edited(instance, &edits, within, self.broken.whole))
+        else {
             self.exhaustive = false;
             return outcome;
         };
@@ -152,7 +158,10 @@ impl RepairSearch<'_> {
             let (least, shown) = self.least_deadline(&edits, within, best.costs.makespan);
             is_least &= shown;
             edits.push(Edit::Deadline { within: least });
-            let Some(sooner) = self.solver.best(&edited(instance, &edits, Some(within))) else {
+            let Some(sooner) =
+                self.solver
+                    .best(&edited(instance, &edits, Some(within), self.broken.whole))
+            else {
                 self.exhaustive = false;
                 return outcome;
             };
@@ -183,7 +192,7 @@ impl RepairSearch<'_> {
             self.exhaustive = false;
             return None;
         }
-        let variant = edited(self.broken.instance, edits, within);
+        let variant = edited(self.broken.instance, edits, within, self.broken.whole);
         let mut tried = self.solver.search(&variant);
         if matches!(tried, Tried::Unknown) {
             tried = self.solver.search_longer(&variant);

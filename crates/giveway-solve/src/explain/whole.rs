@@ -6,12 +6,17 @@
 use giveway_model::{
     Cost, Costs, Instance, Plan, Question,
     check::{self, Rule, Violation, check},
+    constraint::TimedConstraint,
     question::{Misfit, fits},
     snapshot::Snapshot,
     tr,
 };
 
-use super::{Edit, ExplainAnswer, Repair, Verdict, changed::shifted, words};
+use super::{
+    Edit, ExplainAnswer, Repair, Verdict,
+    changed::{shifted, with_question},
+    words,
+};
 use crate::Reach;
 
 /// The plan of which an instance is the rest, with the question as it was asked; without
@@ -64,11 +69,72 @@ impl WholePlan<'_> {
 
     /// A question about the rest in times of the whole.
     pub(crate) fn question(self, question: &Question) -> Question {
+        if matches!(question, Question::Rule { .. }) {
+            return self.asked(question).clone();
+        }
         shifted(question, |time| self.time(time))
     }
 
+    /// A question whose names are looked up: a rule as it was written, since of one on the
+    /// rest no time may be left.
+    pub(crate) fn asked<'q>(&'q self, question: &'q Question) -> &'q Question {
+        match (question, self.running) {
+            (Question::Rule { .. }, Some((_, asked))) => asked,
+            _ => question,
+        }
+    }
+
+    /// The rest as it is after some rules have other last times, in times of the whole plan;
+    /// `None` where there was no change. What was done before counts in the new times.
+    pub(crate) fn with_last_times(
+        self,
+        instance: &Instance,
+        last_times: &[(usize, u32)],
+    ) -> Option<Instance> {
+        let (snapshot, asked) = self.running?;
+        let edit = |rules: &mut Vec<TimedConstraint>| {
+            for &(rule, to) in last_times {
+                let weaker = rules.get_mut(rule).and_then(|rule| {
+                    let kind = rule.constraint.kind.with_last_time(to)?;
+                    Some((rule, kind))
+                });
+                if let Some((rule, kind)) = weaker {
+                    rule.constraint.kind = kind;
+                }
+            }
+        };
+        let rest = match asked {
+            Question::Rule { rule } => with_question(snapshot, rule, edit).0,
+            _ => snapshot.with_rules(edit),
+        };
+        let mut rest = rest.with_objective(instance.objective().clone());
+        for agent in instance.agents() {
+            let waits = instance.start_state(&agent.name).waits_begun;
+            rest.start_state_mut(&agent.name).waits_begun = waits;
+        }
+        Some(rest)
+    }
+
+    /// Checks that a question fits the plan.
+    ///
+    /// # Errors
+    /// Why it does not, in times of the whole.
+    pub(crate) fn fits(
+        self,
+        question: &Question,
+        instance: &Instance,
+        plan: &Plan,
+    ) -> Result<(), Misfit> {
+        // Of a rule on the rest that was seen when it was rewritten.
+        if self.running.is_some() && matches!(question, Question::Rule { .. }) {
+            return Ok(());
+        }
+        fits(question, instance, plan)
+            .map_err(|misfit| self.misfit(question, instance, plan, misfit))
+    }
+
     /// Why a question does not fit, in times of the whole.
-    pub(crate) fn misfit(
+    fn misfit(
         self,
         question: &Question,
         instance: &Instance,

@@ -133,7 +133,7 @@ pub(super) fn arrived(rows: &[&Row<'_>], times: Times, broken: &mut Broken<'_, '
     for row in rows.iter().filter(|row| !row.is_removed) {
         // One that stays where it rested arrived before the table begins.
         let is_met = if row.arrival == 0 && row.start.rested > 0 {
-            !row.start.must_go_on
+            !row.start.must_go_on.contains(&broken.judged.rule.index)
         } else {
             // One that came too early may go on once the rule is gone.
             let times = meant(times);

@@ -34,7 +34,7 @@ impl<'a> RestOfRules<'a> {
     /// Notes the agents that a rule about arrivals forbids to stay where they have rested.
     pub(super) fn judge_rests(
         &self,
-        timed: &TimedConstraint,
+        (index, timed): (usize, &TimedConstraint),
         times: Times,
         bound: &[usize],
         agents: &mut [Resumed<'a>],
@@ -44,7 +44,9 @@ impl<'a> RestOfRules<'a> {
                 let arrival = self.at - state.rested;
                 let is_judged = timed.since.is_none_or(|since| since <= arrival);
                 let is_met = meant(times).contains(arrival);
-                state.must_go_on |= state.rested > 0 && is_judged && !is_met;
+                if state.rested > 0 && is_judged && !is_met {
+                    state.must_go_on.push(index);
+                }
             }
         }
     }

@@ -152,7 +152,7 @@ impl<'a> RestOfRules<'a> {
                 return Some((rest, Some(left)));
             }
             ConstraintKind::Arrive { times } => {
-                self.judge_rests(timed, *times, bound, agents);
+                self.judge_rests((index, timed), *times, bound, agents);
                 ConstraintKind::Arrive {
                     times: self.shift(*times).unwrap_or(NEVER),
                 }

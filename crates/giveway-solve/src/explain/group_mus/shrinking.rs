@@ -89,8 +89,8 @@ impl<'a> Shrinking<'a> {
 
     /// Leaves out all rules of the scene's own that can be left out.
     pub(super) fn shrink_rules(&mut self) {
-        let rules = self.instance.constraints_in_force();
-        let mut rules: Vec<Group> = rules.map(|rule| Group::Constraint(rule.index)).collect();
+        let rules = self.instance.rules_in_effect().into_iter();
+        let mut rules: Vec<Group> = rules.map(Group::Constraint).collect();
         rules.retain(|&rule| self.matters(rule));
         self.shrink(&rules, false);
     }

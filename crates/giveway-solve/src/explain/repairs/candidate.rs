@@ -89,7 +89,7 @@ pub(super) fn battery(
 
 /// More agents in the zone of a rule, or more wait steps on end.
 pub(super) fn allow_more(instance: &Instance, rule: usize, most: u32) -> Option<Edit> {
-    let constraint = instance.constraints().get(rule)?;
+    let constraint = instance.rule_as_written(rule)?;
     constraint.kind.most().map(|_| Edit::AllowMore {
         index: rule as u32,
         rule: constraint.called(),
@@ -97,9 +97,9 @@ pub(super) fn allow_more(instance: &Instance, rule: usize, most: u32) -> Option<
     })
 }
 
-/// A later last time of a rule.
+/// A later last time of a rule, in times of the whole plan.
 pub(super) fn give_until(instance: &Instance, rule: usize, to: u32) -> Option<Edit> {
-    let constraint = instance.constraints().get(rule)?;
+    let constraint = instance.rule_as_written(rule)?;
     constraint.kind.last_chance().map(|_| Edit::GiveUntil {
         index: rule as u32,
         rule: constraint.called(),
@@ -140,7 +140,7 @@ pub(super) fn candidates(
                 Some(Candidate::Edit(Edit::LeaveOut { agent: name(a) }))
             }
             Group::Constraint(rule) => {
-                let off = instance.constraints().get(rule).map(|it| Edit::SwitchOff {
+                let off = instance.rule_as_written(rule).map(|it| Edit::SwitchOff {
                     index: rule as u32,
                     rule: it.called(),
                 });

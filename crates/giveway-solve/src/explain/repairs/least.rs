@@ -24,7 +24,7 @@ impl RepairSearch<'_> {
             search.helps(&flat(edits), within)
         };
         let kind = |search: &Self, rule: usize| {
-            let rule = search.broken.instance.constraints().get(rule);
+            let rule = search.broken.instance.rule_as_written(rule);
             rule.map(|rule| rule.kind.clone())
         };
         let (edit, is_least) = match *candidate {

@@ -85,7 +85,7 @@ impl RepairSearch<'_> {
             Candidate::Deadline => after.within = None,
             edit => {
                 let edits: Vec<Edit> = edit.strongest(broken.instance).into_iter().collect();
-                after.instance = edited(broken.instance, &edits, None).instance;
+                after.instance = edited(broken.instance, &edits, None, broken.whole).instance;
             }
         }
         after

@@ -89,7 +89,7 @@ fn a_person_is_told_who_is_in_the_way() {
     // Each repair is a plan of the edited instance that is as asked for.
     assert!(!answer.repairs.is_empty());
     for repair in &answer.repairs {
-        let variant = edited(&instance, &repair.edits, None);
+        let variant = edited(&instance, &repair.edits, None, WholePlan::default());
         assert_eq!(check(&variant.instance, &repair.plan).violations, []);
         assert!(repair.costs.makespan < 4, "{}", repair.text);
     }

@@ -7,6 +7,7 @@ use crate::{
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
         repairs::{EditedPlan, Solver, Unsolved, repairs},
+        whole::WholePlan,
     },
     tests::instance,
 };
@@ -56,6 +57,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             asked: &[],
             reach: crate::search::Proved::Within(20),
             cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
+            whole: WholePlan::default(),
         };
         let found = repairs(&broken, &mut Finds { proves });
         assert_eq!(found.first.len(), 1);

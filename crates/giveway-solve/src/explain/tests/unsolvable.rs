@@ -133,7 +133,7 @@ fn every_repair_has_a_plan_that_the_judge_passes() {
     let why = why(&empty, None);
     let repairs = &why.repairs;
     for repair in repairs {
-        let variant = edited(&empty, &repair.edits, None);
+        let variant = edited(&empty, &repair.edits, None, WholePlan::default());
         let report = check(&variant.instance, &repair.plan);
         assert_eq!(
             (report.violations, report.costs),

@@ -50,9 +50,14 @@ pub(crate) fn fact(group: Group, instance: &Instance, within: Option<u32>) -> St
             let floor = instance.rules().battery_floor;
             tr!("no battery may fall below {floor}", floor)
         }
-        Group::Constraint(_) => group
-            .constraint(instance)
-            .map_or_else(String::new, Constraint::fact),
+        Group::Constraint(index) => {
+            let rule = group.constraint(instance);
+            let rule = rule.map_or_else(String::new, Constraint::fact);
+            match instance.rule_added_at(index) {
+                Some(time) => tr!("{rule}, added at time {time}", rule, time),
+                None => rule,
+            }
+        }
         Group::Breakdown(a, _) => group
             .breakdown(instance)
             .map_or_else(String::new, |it| broken_down(name(a), it)),

@@ -56,7 +56,7 @@ fn phrase(agent: &str, violation: &Violation, instance: Option<&Instance>) -> St
 /// The rule of the scene's own that is broken.
 fn named(violation: &Violation, instance: Option<&Instance>) -> Option<String> {
     let index = violation.broken.as_ref()?.index;
-    let rule = instance?.constraints().get(index as usize)?;
+    let rule = instance?.rule_as_written(index as usize)?;
     Some(rule.called())
 }
 
