@@ -12,10 +12,17 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use giveway_formats::{Options, Source, combine};
-use giveway_model::check::check;
-use giveway_model::{Assumption, Instance, Plan};
-use giveway_solve::{Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
+use giveway_model::change::Changes;
+use giveway_model::check::{check, check_changes};
+use giveway_model::format::native;
+use giveway_model::{Assumption, Instance, Plan, Question};
+use giveway_solve::change::Method;
+use giveway_solve::explain::{ExplainAnswer, ExplainRequest, Verdict};
+use giveway_solve::{
+    Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve,
+};
 use giveway_tests::environment;
+use giveway_tests::going_on::go_on;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -189,6 +196,75 @@ fn solve(instance: &Instance) -> SolveAnswer {
         Response::Solved(answer) => answer,
         other => panic!("{other:?}"),
     }
+}
+
+fn ask(scene: &Instance, plan: Option<&Plan>, changes: Option<&Changes>) -> ExplainAnswer {
+    let request = Request::Explain(ExplainRequest {
+        scene: scene.to_scene(),
+        plan: plan.cloned(),
+        changes: changes.cloned(),
+        at: None,
+        question: match plan {
+            Some(_) => Question::Plan,
+            None => Question::Unsolvable,
+        },
+        objective: None,
+        within: None,
+        limits: Limits::default(),
+    });
+    match serve(&request, &SilentHost) {
+        Response::Explained(answer) => *answer,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Answers about plans, and plans that go on after a change, heed obstacles that move.
+#[test]
+fn explain_and_change_heed_obstacles_that_move() {
+    let count = environment::number("GIVEWAY_RANDOM_MOVING", 150);
+    let (mut legal, mut illegal, mut impossible, mut late) = (0, 0, 0, 0);
+    for scenario in (0..).filter_map(Scenario::random).take(count as usize) {
+        let text = scenario.yaml(true);
+        let scene = instance(&text);
+        let Some(makespan) = scenario.makespan() else {
+            let answer = ask(&scene, None, None);
+            assert_eq!(answer.verdict, Verdict::Necessary, "{text}{answer:?}");
+            assert!(answer.reach.is_complete(), "{text}{answer:?}");
+            impossible += 1;
+            continue;
+        };
+        let plan = solve(&scene).plan.unwrap();
+        let at = makespan as u32 / 2;
+        // Nothing changes but the time from which on all is planned anew.
+        let text_of_changes = format!(
+            r#"{{ "giveway": 1, "changes": [{{ "at": {at}, "change": "set-normal", "cells": [] }}] }}"#
+        );
+        let changes = native::read_changes(&text_of_changes).unwrap();
+        for method in [Method::Revise, Method::Replan] {
+            let answer = go_on(&scene, &plan, &changes, &[method]).unwrap();
+            let found = &answer.methods.get(method).unwrap().result;
+            let told = found.costs.map(|costs| costs.makespan as usize);
+            assert_eq!(told, Some(makespan), "{method} {text}{answer:?}");
+            assert!(scenario.is_legal(found.plan.as_ref().unwrap()), "{text}");
+            let answer = ask(&scene, found.plan.as_ref(), Some(&changes));
+            assert_eq!(answer.optimal, Some(true), "{text}{answer:?}");
+            late += u32::from(at > 0);
+        }
+        // Plans that know nothing of the obstacle are judged by it.
+        if let Some(plan) = solve(&instance(&scenario.yaml(false))).plan {
+            let is_legal = scenario.is_legal(&plan);
+            let answer = ask(&scene, Some(&plan), None);
+            assert_eq!(answer.valid, Some(is_legal), "{text}{answer:?}");
+            let report = check_changes(&scene, &changes, &plan).unwrap();
+            assert_eq!(report.is_valid(), is_legal, "{text}{:?}", report.violations);
+            *(if is_legal { &mut legal } else { &mut illegal }) += 1;
+        }
+    }
+    let counts = (legal, illegal, impossible, late);
+    assert!(
+        legal > 20 && illegal > 10 && impossible > 10 && late > 60,
+        "{counts:?}"
+    );
 }
 
 #[test]

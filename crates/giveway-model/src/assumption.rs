@@ -41,6 +41,24 @@ pub enum Assumption {
     },
 }
 
+impl Assumption {
+    /// The same in times that begin at a later time.
+    #[must_use]
+    pub fn from_time_on(&self, time: u32) -> Self {
+        match self {
+            Self::MovingObstacle { name, path, closed } => Self::MovingObstacle {
+                name: name.clone(),
+                path: {
+                    let past = (time as usize).min(path.len().saturating_sub(1));
+                    path.get(past..).unwrap_or_default().to_vec()
+                },
+                closed: *closed,
+            },
+            Self::GoalsChosen | Self::RuleLeftOut { .. } | Self::UnknownKey { .. } => self.clone(),
+        }
+    }
+}
+
 /// A rule of other problems that scenes do not have. A plan that keeps it is also a plan of the
 /// scene and costs the same.
 #[derive(

@@ -49,7 +49,7 @@ fn has_unknown(assumptions: &[Assumption]) -> bool {
     all.any(|one| matches!(one, Assumption::UnknownKey { .. }))
 }
 
-/// Refuses what makes claims about all plans of a scene with moving obstacles.
+/// Refuses certificates of a scene with moving obstacles: their formula has no clauses for them.
 ///
 /// # Errors
 /// When the scene has one.
@@ -57,7 +57,7 @@ pub(crate) fn refuse_moving(scene: &Scene) -> Result<(), Refusal> {
     if !has_moving(&scene.assumptions) {
         return Ok(());
     }
-    let found = tr!("obstacles that move, which only solve, plan, audit, freedom and check heed");
+    let found = tr!("obstacles that move, for which certificates have no clauses");
     let expected = tr!("a scene without them");
     let faults = vec![Fault::at("assumptions", found, expected)];
     Err(Refusal::Scene { faults })

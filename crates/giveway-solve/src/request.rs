@@ -53,28 +53,6 @@ pub enum Basic<'a> {
 }
 
 impl Request {
-    /// The scene of a request whose answer speaks of all plans, and which does not heed
-    /// obstacles that move.
-    pub(crate) const fn claimed_scene(&self) -> Option<&Scene> {
-        match self {
-            // A certificate looks at its own scene.
-            Self::Solve(_)
-            | Self::Audit(_)
-            | Self::Plan(_)
-            | Self::Freedom(_)
-            | Self::Together(_)
-            | Self::Price(_)
-            | Self::Certify(_)
-            | Self::Export(_) => None,
-            Self::Check(request) if request.changes.is_none() => None,
-            Self::Check(request) => Some(&request.scene),
-            Self::Delays(request) if request.changes.is_none() => None,
-            Self::Delays(request) => Some(&request.scene),
-            Self::Explain(request) => Some(&request.scene),
-            Self::Change(request) => Some(&request.scene),
-        }
-    }
-
     /// The request as one that [`serve_basic`](crate::serve_basic) serves; `None`
     /// where it takes [`serve`](crate::serve).
     pub const fn basic(&self) -> Option<Basic<'_>> {

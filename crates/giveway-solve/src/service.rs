@@ -140,10 +140,6 @@ impl Refusal {
 /// proof, a limit of work or a limit of conflicts ends it. Where seconds, memory or the host
 /// end it, how far it came decides.
 pub fn serve(request: &Request, host: &dyn Host) -> Response {
-    let moving = request.claimed_scene().map(assumed::refuse_moving);
-    if let Some(Err(refusal)) = moving {
-        return Response::Refused(refusal);
-    }
     match request {
         Request::Check(request) => serve_check(request),
         Request::Solve(request) => serve_solve(request, host),
@@ -209,10 +205,7 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
 pub fn serve_basic(request: Basic<'_>, host: &dyn Host) -> Response {
     match request {
         Basic::Solve(request) => serve_best(request, host),
-        Basic::Change(request) => match assumed::refuse_moving(&request.scene) {
-            Ok(()) => serve_change(request, host),
-            Err(refusal) => Response::Refused(refusal),
-        },
+        Basic::Change(request) => serve_change(request, host),
     }
 }
 

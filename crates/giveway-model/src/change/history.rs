@@ -2,7 +2,7 @@
 
 use super::{Changes, MAX_TIME, Timeline, Trajectory};
 use crate::constraint::TimedConstraint;
-use crate::{Agent, Fault, Grid, Instance, Plan, Rules, Zone};
+use crate::{Agent, Assumption, Fault, Grid, Instance, Plan, Rules, Zone};
 
 /// The map from a time on.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,6 +40,7 @@ pub struct History {
     pub(super) timelines: Vec<Timeline>,
     zones: Vec<Zone>,
     pub(super) constraints: Vec<TimedConstraint>,
+    assumptions: Vec<Assumption>,
 }
 
 impl History {
@@ -57,6 +58,7 @@ impl History {
                 let constraints = instance.constraints().iter().cloned();
                 constraints.map(TimedConstraint::of_scene).collect()
             },
+            assumptions: instance.assumptions().to_vec(),
         }
     }
 
@@ -120,6 +122,11 @@ impl History {
     /// those that were added, in the order in which they came. A rule keeps its number.
     pub fn constraints(&self) -> &[TimedConstraint] {
         &self.constraints
+    }
+
+    /// The assumptions of the scene. No change touches the obstacles that move.
+    pub fn assumptions(&self) -> &[Assumption] {
+        &self.assumptions
     }
 
     /// The same world with other rules.

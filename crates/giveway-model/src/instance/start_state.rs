@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use super::Instance;
 use crate::constraint::TimedConstraint;
 use crate::sorting::map;
-use crate::{Agent, Cell, Constraint, Grid};
+use crate::{Agent, Assumption, Cell, Constraint, Grid};
 
 /// The state of an agent at time 0; by default it has done nothing yet.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -122,8 +122,8 @@ impl Instance {
         &self,
         grid: Grid,
         agents: Vec<(Agent, StartState)>,
-        constraints: Vec<Constraint>,
-        as_written: &[TimedConstraint],
+        (constraints, as_written): (Vec<Constraint>, &[TimedConstraint]),
+        assumptions: Vec<Assumption>,
     ) -> Self {
         let states = agents.iter();
         let start_states = map(states.map(|(agent, state)| (agent.name.clone(), state.clone())));
@@ -133,7 +133,7 @@ impl Instance {
             rules: self.rules,
             objective: self.objective.clone(),
             agents: agents.into_iter().map(|(agent, _)| agent).collect(),
-            assumptions: self.assumptions.clone(),
+            assumptions,
             zones: self.zones.clone(),
             constraints,
             as_written: as_written.into(),

@@ -102,7 +102,10 @@ impl<'a> Snapshot<'a> {
             plan,
             instance: {
                 let grid = history.grid(at).clone();
-                instance.resumed(grid, states, constraints, history.constraints())
+                let assumptions = history.assumptions().iter();
+                let assumptions = assumptions.map(|it| it.from_time_on(at)).collect();
+                let rules = (constraints, history.constraints());
+                instance.resumed(grid, states, rules, assumptions)
             },
             agents,
         }

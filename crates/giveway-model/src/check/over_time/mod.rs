@@ -75,6 +75,7 @@ pub fn check_history(history: &History, plan: &Plan) -> Report {
     }
     together::find(history, &trajectories, &mut findings);
     constraints::find(history, &trajectories, &mut findings);
+    super::moving::find_over_time(history, &trajectories, &mut findings);
     Report {
         violations: findings.into_violations(),
         costs: costs(history, plan),
