@@ -90,7 +90,13 @@ fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Help
     }
     let left_out = BTreeSet::from([group]);
     let variant = without(refuted.instance, &left_out, refuted.deadline);
-    match inquiry.search(&variant).reaching(&variant, refuted.reach) {
+    let mut tried = inquiry.search(&variant).reaching(&variant, refuted.reach);
+    if matches!(tried, Tried::Unknown) {
+        tried = inquiry
+            .search_again(&variant)
+            .reaching(&variant, refuted.reach);
+    }
+    match tried {
         Tried::Plan(_) => Helps::Yes,
         Tried::None { .. } => Helps::No,
         Tried::Unknown => Helps::Unknown,

@@ -11,7 +11,7 @@ use super::{
     group::{Variant, fit},
     group_mus::{Inquiry, Tried},
     repairs::{EditedPlan, Solver},
-    unsolvable::{long_search, one_search, tried},
+    unsolvable::{further_search, long_search, one_search, tried},
     verdict::FittingQuestion,
 };
 use crate::{
@@ -140,6 +140,10 @@ impl ContrastSearch<'_, '_> {
 impl Inquiry for ContrastSearch<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
         self.look(variant, || one_search(&self.budget))
+    }
+
+    fn search_again(&mut self, variant: &Variant) -> Tried {
+        self.look(variant, || further_search(&self.budget))
     }
 
     fn search_longer(&mut self, variant: &Variant) -> Tried {

@@ -49,6 +49,8 @@ impl Tried {
 pub(crate) trait Inquiry {
     /// Looks for a plan.
     fn search(&mut self, variant: &Variant) -> Tried;
+    /// Looks for a plan once more, with several times the work.
+    fn search_again(&mut self, variant: &Variant) -> Tried;
     /// Looks for a plan with all of the budget that is left.
     fn search_longer(&mut self, variant: &Variant) -> Tried;
     /// Whether a plan, known from another variant, is one here.

@@ -27,6 +27,8 @@ const DERIVED_EACH: u64 = 8_000;
 const CLAUSES_EACH: u64 = 500_000;
 /// Joint steps that it may look at.
 const JOINT_STEPS_EACH: u64 = 150_000;
+/// So many times the work of a search, where it is made again.
+const AGAIN: u64 = 10;
 /// Sets of batteries or waypoints that are tried.
 const MOST_SETS: usize = 400;
 
@@ -38,6 +40,17 @@ pub(crate) fn one_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
             .part(Limits::default())
             .with_derived(DERIVED_EACH)
             .with_work(clauses, JOINT_STEPS_EACH),
+    )
+}
+
+/// The budget of a search of many that is made again with more work.
+pub(crate) fn further_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    let clauses = (AGAIN * CLAUSES_EACH).min(budget.clauses_left());
+    Rc::new(
+        budget
+            .part(Limits::default())
+            .with_derived(AGAIN * DERIVED_EACH)
+            .with_work(clauses, AGAIN * JOINT_STEPS_EACH),
     )
 }
 
@@ -82,6 +95,10 @@ impl AnyPlan<'_, '_> {
 impl Inquiry for AnyPlan<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
         tried(self.with(variant, &one_search(&self.budget), any))
+    }
+
+    fn search_again(&mut self, variant: &Variant) -> Tried {
+        tried(self.with(variant, &further_search(&self.budget), any))
     }
 
     fn search_longer(&mut self, variant: &Variant) -> Tried {

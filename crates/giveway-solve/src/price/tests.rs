@@ -109,3 +109,27 @@ fn a_budget_that_is_spent_is_told_as_not_known() {
     assert_eq!(prices(&answer), [(0, Price::Unknown, false)]);
     assert!(!answer.is_settled());
 }
+
+/// The feeder of docs/rules.md.
+#[test]
+fn the_conflict_of_a_small_scene_is_minimal() {
+    let text = r###"{ "giveway": 1,
+        "map": [".......", "##.#.##", "##.#.##", "##.#.##", "......."],
+        "agents": [{ "name": "A1", "start": [0, 0], "goal": [0, 4] },
+                   { "name": "A2", "start": [1, 0], "goal": [3, 4] },
+                   { "name": "A3", "start": [6, 4], "goal": [5, 0] }],
+        "zones": [{ "name": "feeder", "rect": [2, 1, 2, 3] }],
+        "constraints": [{ "kind": "capacity", "zone": "feeder", "most": 1, "name": "narrow" },
+            { "kind": "one-way", "lane": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0]] },
+            { "kind": "arrive", "by": 8 }] }"###;
+    let request = PriceRequest {
+        scene: native::read_scene(text).unwrap(),
+        ..PriceRequest::default()
+    };
+    let answer = serve(&request, &SilentHost).unwrap();
+    let conflict = answer.conflict.unwrap();
+    assert!(conflict.minimal, "{conflict:?}");
+    let unknown = |fact: &&crate::explain::Fact| fact.helps == crate::explain::Helps::Unknown;
+    assert_eq!(conflict.facts.iter().find(unknown), None, "{conflict:?}");
+    assert_eq!(answer.switch_off.switch_off, [vec![0], vec![2]]);
+}

@@ -194,6 +194,21 @@ impl<'a> Shrinking<'a> {
         }
     }
 
+    /// The same with more work, where that of one of many searches is not enough.
+    fn attempt_again(&mut self, left_out: &BTreeSet<Group>) -> Tried {
+        let first = self.attempt(left_out);
+        if !matches!(first, Tried::Unknown) {
+            return first;
+        }
+        let variant = without(self.instance, left_out, self.deadline);
+        let tried = self.inquiry.search_again(&variant);
+        let tried = tried.reaching(&variant, self.claim);
+        if let Tried::Plan(plan) = &tried {
+            self.plans.push(plan.clone());
+        }
+        tried
+    }
+
     fn attempt(&mut self, left_out: &BTreeSet<Group>) -> Tried {
         if self.inquiry.is_over() {
             return Tried::Unknown;
@@ -234,7 +249,7 @@ impl<'a> Shrinking<'a> {
             }
             let mut less = self.left_out.clone();
             less.insert(group);
-            match self.attempt(&less) {
+            match self.attempt_again(&less) {
                 Tried::Plan(_) => {}
                 Tried::Unknown => minimal = false,
                 Tried::None { reach, .. } => {

@@ -13,6 +13,7 @@ mod own_plan;
 mod reach;
 mod repairs;
 mod rest;
+mod rule_waits;
 mod unsolvable;
 mod waits;
 mod words;

@@ -23,6 +23,10 @@ impl Inquiry for Finds {
         Tried::Plan(Plan::default())
     }
 
+    fn search_again(&mut self, variant: &Variant) -> Tried {
+        self.search(variant)
+    }
+
     fn search_longer(&mut self, variant: &Variant) -> Tried {
         self.search(variant)
     }
