@@ -169,7 +169,10 @@ fn verdicts_keep_their_links_in_the_order_of_the_language() {
             "Noch nicht: 1 Warteschritt, und kein Plan ist besser."
         );
         assert_eq!(
-            told(Why::Unknown(Some(Reason::Alone { agent: "A1".into() }))),
+            told(Why::Unknown(Some(Reason::Alone {
+                agent: "A1".into(),
+                rules: Vec::new(),
+            }))),
             "Noch nicht: A1 kann die Aufgabe nicht einmal allein erfüllen."
         );
         assert_eq!(

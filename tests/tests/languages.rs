@@ -350,7 +350,10 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
             "A1, A2 und A3 können nicht alle ankommen.",
         ),
         (
-            Reason::Alone { agent: "A1".into() },
+            Reason::Alone {
+                agent: "A1".into(),
+                rules: Vec::new(),
+            },
             "A1 kann die Aufgabe nicht einmal allein erfüllen.",
         ),
         (

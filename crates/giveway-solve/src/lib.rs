@@ -33,6 +33,7 @@ mod request;
 mod sat;
 mod search;
 pub mod service;
+mod shut_in;
 mod solve;
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 //! shown ([`words::reason`](crate::words::reason)).
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Assumption, Cost};
+use giveway_model::{Assumption, Constraint, Cost};
 use serde::{Serialize, Serializer};
 
 use crate::{budget::Stop, change::Cause};
@@ -25,6 +25,9 @@ pub enum Reason {
     Alone {
         /// The agent.
         agent: String,
+        /// The rules of the scene's own without which it could: none of them can be left out.
+        /// Empty where it could not without rules, either, or that is not known.
+        rules: Vec<Constraint>,
     },
     /// An agent has more waypoints than can be planned for.
     ManyWaypoints {

@@ -12,7 +12,8 @@ use crate::{
     judged::Judged,
     problem::{Problem, ProblemError},
     search::{self, Aim, Bounded, Contact, Horizon, Proved, Verdict},
-    trace::{Cannot, Recorder, SearchEvent, Stopped},
+    shut_in::shut_in_by,
+    trace::{Cannot, Recorder, SearchEvent, Stopped, name_rules},
     walk::{Walk, to_plan, walks_of_plan},
 };
 
@@ -65,6 +66,9 @@ pub(crate) fn solve(task: &SolveTask) -> Solved {
     let mut solved = solve_unreported(task);
     task.budget.record(|_| end(task, &solved));
     solved.answer.trace = task.budget.trace();
+    if let Some(trace) = &mut solved.answer.trace {
+        name_rules(&task.instance, &task.objective, trace, &task.budget);
+    }
     solved
 }
 
@@ -188,6 +192,7 @@ pub(crate) fn without_search(task: &SolveTask, error: &ProblemError) -> Solved {
             Ended::Proof,
             Reason::Alone {
                 agent: name(i).to_owned(),
+                rules: shut_in_by(&task.instance, i, &task.budget),
             },
         ),
         ProblemError::TooManyWaypoints(i) => (

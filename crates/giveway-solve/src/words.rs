@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use giveway_model::words::{and, name, sentence, value, values};
-use giveway_model::{Assumption, Cost, Costs, Objective, assumption, tr, tr_later};
+use giveway_model::{Assumption, Constraint, Cost, Costs, Objective, assumption, tr, tr_later};
 
 use crate::{Ended, Reach, Reason, SolveAnswer, Status, change};
 
@@ -96,7 +96,14 @@ pub fn reason(reason: &Reason) -> String {
     match reason {
         Reason::Stopped(stop) => stop.sentence().to_owned(),
         Reason::StoppedByPerson => tr!("You stopped the search").to_owned(),
-        Reason::Alone { agent } => tr!("{name} cannot do its task, even alone.", name = agent),
+        Reason::Alone { agent, rules } if rules.is_empty() => {
+            tr!("{name} cannot do its task, even alone.", name = agent)
+        }
+        Reason::Alone { agent, rules } => tr!(
+            "{name} cannot do its task, even alone, because of {rules}.",
+            name = agent,
+            rules = called(rules)
+        ),
         Reason::ManyWaypoints { agent } => {
             tr!(
                 "{name} has more waypoints than can be planned for.",
@@ -153,6 +160,12 @@ pub(crate) fn clash<S: AsRef<str>>(agents: &[S]) -> String {
         [one, two] => tr!("{one} and {two} cannot both arrive.", one, two),
         names => tr!("{robots} cannot all arrive.", robots = and(names)),
     }
+}
+
+/// Rules of a scene's own by what they are called, as a list.
+pub(crate) fn called(rules: &[Constraint]) -> String {
+    let rules: Vec<String> = rules.iter().map(Constraint::called).collect();
+    and(&rules)
 }
 
 /// How far a claim reaches that holds for plans of any makespan.

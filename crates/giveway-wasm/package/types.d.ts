@@ -204,6 +204,8 @@ export type TraceEvent = {
   conflicts: number;
   /** A sentence that is true by itself. */
   text: string;
+  /** Rules of the scene that it rests on, as far as they are known: with these it holds, without any rule it does not. */
+  rules?: Constraint[];
 } & (
   | { event: "alone"; cost: Cost; agents: AgentLeast[]; at_least: number }
   | {
@@ -950,7 +952,8 @@ export type PlanEnd =
   /** There is no plan of at most this makespan; there may be a longer one. */
   | { how: "horizon"; within: number }
   | { how: "refused"; lack: Lack }
-  | { how: "alone"; agent: string };
+  /** `rules`: those of the scene without which it could, each needed. */
+  | { how: "alone"; agent: string; rules?: Constraint[] };
 
 /** What a planner has no method for. */
 export type Lack =

@@ -91,7 +91,7 @@ fn tried(response: Option<&Response>) -> Result<Tried, Why> {
             robot: stuck.agent.clone(),
             around: stuck.around.clone(),
         })),
-        (PlanEnd::Alone { agent }, None) => Err(Why::AloneStuck(agent.clone())),
+        (PlanEnd::Alone { agent, .. }, None) => Err(Why::AloneStuck(agent.clone())),
         (PlanEnd::Stopped { reason }, None) => Err(Why::Unknown(Some(reason.clone()))),
         _ => Err(Why::Unknown(None)),
     }

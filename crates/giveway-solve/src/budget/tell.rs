@@ -17,6 +17,12 @@ impl Budget<'_> {
         self
     }
 
+    /// The same budget, of which nothing is written down.
+    pub(crate) fn unrecorded(mut self) -> Self {
+        self.recorder = None;
+        self
+    }
+
     /// Tells the host that something became known.
     pub(crate) fn report(&self, event: &Progress) {
         if !self.quiet {

@@ -76,6 +76,9 @@ pub enum PlanEnd {
     Alone {
         /// The agent.
         agent: String,
+        /// The rules of the scene's own without which it could: none of them can be left out.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        rules: Vec<Constraint>,
     },
 }
 

@@ -12,7 +12,7 @@ use giveway_planners::{
 };
 
 use super::{Lack, PlanAnswer, PlanEnd, PlanRequest, PlanStats, teller::Teller};
-use crate::{Host, Progress, Reason, Refusal, budget::Budget};
+use crate::{Host, Progress, Reason, Refusal, budget::Budget, shut_in::shut_in_by};
 
 /// Serves a request for a plan.
 ///
@@ -160,7 +160,10 @@ impl PlanTask<'_> {
     fn without_problem(&self, error: &ProblemError) -> PlanEnd {
         let name = |agent: usize| self.names.get(agent).cloned().unwrap_or_default();
         match *error {
-            ProblemError::Alone(agent, _) => PlanEnd::Alone { agent: name(agent) },
+            ProblemError::Alone(agent, _) => PlanEnd::Alone {
+                rules: shut_in_by(&self.instance, agent, &self.budget),
+                agent: name(agent),
+            },
             ProblemError::TooManyWaypoints(agent) => PlanEnd::Refused {
                 lack: Lack::ManyWaypoints { agent: name(agent) },
             },

@@ -9,7 +9,7 @@ use giveway_model::{Constraint, tr, tr_later};
 
 use super::{Lack, PlanAnswer, PlanEnd, StuckAgent};
 use crate::Reason;
-use crate::words::{Headline, reason as told};
+use crate::words::{Headline, called, reason as told};
 
 pub use order::{around, why_stuck};
 pub use tree::{branch, conflict, conflict_lines, constraint, moment, parties, subject};
@@ -72,11 +72,19 @@ pub fn headline(answer: &PlanAnswer) -> Headline {
                 format!(": {title} {}.", cannot(lack)),
             )
         }
-        PlanEnd::Alone { agent } => say(
+        PlanEnd::Alone { agent, rules } if rules.is_empty() => say(
             tr!("an answer" => "No plan exists"),
             tr!(
                 "behind: No plan exists" => ", no matter how many steps you allow: {agent} cannot do its task, even alone.",
                 agent
+            ),
+        ),
+        PlanEnd::Alone { agent, rules } => say(
+            tr!("an answer" => "No plan exists"),
+            tr!(
+                "behind: No plan exists" => ", no matter how many steps you allow: {agent} cannot do its task, even alone, because of {rules}.",
+                agent,
+                rules = called(rules)
             ),
         ),
     }

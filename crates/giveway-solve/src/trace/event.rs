@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cell, Cost, Costs, Objective, Version, message::read_map};
+use giveway_model::{Cell, Constraint, Cost, Costs, Objective, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use super::{AgentLeast, Core, Scope};
@@ -33,6 +33,11 @@ pub struct TraceEvent {
     pub conflicts: u64,
     /// The event as a sentence that is true by itself: see [`super::words`].
     pub text: String,
+    /// Rules of the scene's own that it rests on: with these it holds, and without any rule of
+    /// the scene's own it does not. They are found when the search is over, as far as that is
+    /// soon known.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rules: Vec<Constraint>,
     /// The event.
     #[serde(flatten)]
     pub event: SearchEvent,

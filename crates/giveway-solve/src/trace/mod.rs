@@ -4,6 +4,7 @@
 mod core;
 mod event;
 mod recorder;
+mod rules;
 #[cfg(test)]
 mod tests;
 pub mod words;
@@ -13,3 +14,4 @@ pub use event::{
     Bottleneck, Cannot, Entrant, FoundBy, Restart, SearchEvent, SearchTrace, Stopped, TraceEvent,
 };
 pub(crate) use recorder::{Names, Recorder};
+pub(crate) use rules::name_rules;

@@ -124,6 +124,7 @@ impl Recorder {
             number,
             conflicts: self.conflicts.get(),
             text: words::sentence(&self.objective, &event),
+            rules: Vec::new(),
             event,
         };
         self.unsent.borrow_mut().push(event.clone());

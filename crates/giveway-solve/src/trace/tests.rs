@@ -1,5 +1,7 @@
 //! How many events are kept, and what is said of single robots.
 
+mod rules;
+
 use giveway_model::{Cost, Objective};
 
 use super::{

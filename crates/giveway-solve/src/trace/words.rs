@@ -4,13 +4,13 @@
 use std::collections::BTreeMap;
 
 use giveway_model::words::{and, capital, lower, name, sentence as full, value, values};
-use giveway_model::{Cell, Cost, Objective, tr};
+use giveway_model::{Cell, Constraint, Cost, Objective, tr};
 
 use super::{
     AgentLeast, AgentLimit, Bottleneck, Cannot, Core, Entrant, FoundBy, Restart, Scope,
     SearchEvent, Stopped,
 };
-use crate::words::{clash, known, reason};
+use crate::words::{called, clash, known, reason};
 
 /// More robots are counted instead of named.
 const MOST_NAMES: usize = 4;
@@ -123,6 +123,11 @@ fn counted((cost, at_least): (Cost, u32), agents: &[String], at: &Bottleneck) ->
             cost
         ),
     }
+}
+
+/// The rules of the scene's own that an event rests on, as a sentence.
+pub fn rests_on(rules: &[Constraint]) -> Option<String> {
+    (!rules.is_empty()).then(|| tr!("This rests on {rules}.", rules = called(rules)))
 }
 
 /// The claim of a core, without the plans that it speaks of: see [`scope`].

@@ -124,7 +124,10 @@ pub(super) fn text(objective: &Objective, event: &TraceEvent) -> String {
         ) => short,
         _ => said,
     };
-    short.to_owned()
+    match words::rests_on(&event.rules) {
+        Some(rests) => format!("{short}. {}", rests.trim_end_matches('.')),
+        None => short.to_owned(),
+    }
 }
 
 fn kind(trace: &SearchTrace, event: &SearchEvent) -> Kind {
