@@ -13,9 +13,9 @@ use crate::{
 fn asked(map: &str, agents: &str, rule: &str, paths: &str) -> ExplainAnswer {
     let rule = rule.replacen('{', r#"{ "name": "why", "#, 1);
     let scene = format!(
-        r##"{{ "giveway": 1, "map": [{map}], "agents": [{agents}],
+        r#"{{ "giveway": 1, "map": [{map}], "agents": [{agents}],
             "zones": [{{ "name": "z", "cells": [[1, 0], [2, 0]] }}],
-            "constraints": [{rule}] }}"##
+            "constraints": [{rule}] }}"#
     );
     let plan = format!(r#"{{ "giveway": 1, "paths": {{ {paths} }} }}"#);
     let (instance, plan) = read(&scene, &plan);

@@ -22,9 +22,9 @@ fn solved(scene: &str) -> SolveAnswer {
 
 fn traced(map: &str, agents: &str, rules: &str) -> SearchTrace {
     let scene = format!(
-        r##"{{ "giveway": 1, "map": [{map}], "agents": [{agents}],
+        r#"{{ "giveway": 1, "map": [{map}], "agents": [{agents}],
             "zones": [{{ "name": "aisle", "rect": [1, 0, 1, 2] }}],
-            "constraints": [{rules}, {{ "kind": "closed", "zone": "aisle", "from": 90, "name": "free" }}] }}"##
+            "constraints": [{rules}, {{ "kind": "closed", "zone": "aisle", "from": 90, "name": "free" }}] }}"#
     );
     solved(&scene).trace.unwrap()
 }
@@ -102,11 +102,11 @@ fn no_plan_names_the_rules_that_leave_none() {
 fn a_robot_that_rules_shut_in_is_told_with_them() {
     let scene = |rules: &str| {
         format!(
-            r##"{{ "giveway": 1, "map": ["...", "..."],
+            r#"{{ "giveway": 1, "map": ["...", "..."],
                 "agents": [{{ "name": "A1", "start": [0, 0], "goal": [2, 0] }}],
                 "zones": [{{ "name": "low", "cells": [[1, 1]] }},
                           {{ "name": "high", "cells": [[1, 0]] }}],
-                "constraints": [{rules}] }}"##
+                "constraints": [{rules}] }}"#
         )
     };
     let both = r#"{ "kind": "gap", "steps": 2 },
@@ -123,7 +123,7 @@ fn a_robot_that_rules_shut_in_is_told_with_them() {
          \"No robot in 'high'\"."
     );
     // Walls shut it in, whatever the rules are.
-    let walled = scene(both).replace(r#"["...", "..."]"#, r##"[".#.", ".#."]"##);
+    let walled = scene(both).replace(r#"["...", "..."]"#, r#"[".#.", ".#."]"#);
     let walled = walled
         .replace("[[1, 1]]", "[[0, 1]]")
         .replace("[[1, 0]]", "[[2, 1]]");
