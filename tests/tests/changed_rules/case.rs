@@ -36,7 +36,7 @@ impl Case {
     pub(super) fn random(seed: u64, number: u64, kinds: &[&str]) -> Option<Self> {
         let (mut scene, rule) = scene_to_change(seed, number, kinds);
         let rules = scene["constraints"].as_array_mut().unwrap();
-        let other = if number % 3 == 0 {
+        let other = if number.is_multiple_of(3) {
             rules.pop().unwrap_or_default()
         } else {
             rule.clone()

@@ -54,6 +54,7 @@ fn is_there(answer: &Answer, most: Option<&[i64]>) -> Option<bool> {
 }
 
 /// Rules that help and that do not, sets of facts, and repairs.
+#[allow(clippy::too_many_lines, reason = "one claim after the other")]
 pub(super) fn check(
     case: &Case,
     rules: &[Value],

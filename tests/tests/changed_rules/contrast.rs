@@ -9,6 +9,10 @@ use serde_json::{Value, json};
 use super::case::Case;
 
 /// Some questions about the rest of a plan, each with the rules that say the same.
+#[allow(
+    clippy::too_many_lines,
+    reason = "one kind of question after the other"
+)]
 pub(super) fn questions(
     case: &Case,
     plan: &Plan,
