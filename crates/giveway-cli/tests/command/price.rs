@@ -114,11 +114,10 @@ fn rules_that_leave_no_plan_are_told_with_what_helps() {
           - (3, 2) is an obstacle
           - (5, 1) is an obstacle
           - (6, 2) is an obstacle
-          - A1 and A2 must not collide
           - A2 and A3 must not collide
           - The rule 'narrow': "At most 1 robot in 'feeder'"
           - The rule "Each robot arrives by 8"
-        Some of these may not be needed. It is not known for all of the others whether leaving out only that one helps.
+        These facts alone rule it out, and each of them is needed for that. Leaving out only one of the others does not help, since other facts rule it out, too.
         There is a plan without the rule 'narrow' or the rule "Each robot arrives by 8"."#]].assert_eq(said);
 }
 
@@ -168,7 +167,7 @@ fn questions_name_a_rule_in_words_or_in_a_file() {
         feeder: 7 x 5 cells, 3 robots
 
         Why is it not so: "Each robot arrives by 8"? (rule "Each robot arrives by 8")
-        Necessary: There is no plan in which this rule holds: "Each robot arrives by 8". These facts together rule it out: A1 must go from (0, 0) to (0, 4); A2 must go from (1, 0) to (3, 4); A3 must go from (6, 4) to (5, 0); (0, 1) and (1, 1), (5, 1), (3, 2) and (6, 2) are obstacles; A1 and A2 must not collide; and 2 more. It would help to raise the limit of the rule 'narrow' to 2: makespan 8, sum of costs 21.
+        Necessary: There is no plan in which this rule holds: "Each robot arrives by 8". These facts together rule it out: A1 must go from (0, 0) to (0, 4); A2 must go from (1, 0) to (3, 4); A3 must go from (6, 4) to (5, 0); (0, 1) and (1, 1), (5, 1), (3, 2) and (6, 2) are obstacles; A2 and A3 must not collide; the rule 'narrow': "At most 1 robot in 'feeder'". It would help to raise the limit of the rule 'narrow' to 2: makespan 8, sum of costs 21.
         This holds no matter how many steps you allow.
 
            0  1  2  3  4  5  6
@@ -194,10 +193,9 @@ fn questions_name_a_rule_in_words_or_in_a_file() {
           (3, 2) is an obstacle.
           (5, 1) is an obstacle.
           (6, 2) is an obstacle.
-          A1 and A2 must not collide.
           A2 and A3 must not collide (without it there is such a plan).
           the rule 'narrow': "At most 1 robot in 'feeder'" (without it there is such a plan).
-        Some of these may not be needed. It is not known for all of the others whether leaving out only that one helps.
+        These facts alone rule it out, and each of them is needed for that. Leaving out only one of the others does not help, since other facts rule it out, too.
 
         What would help:
           Raise the limit of the rule 'narrow' to 2: makespan 8, sum of costs 21.
