@@ -122,7 +122,21 @@ fn damage(random: &mut ChaCha8Rng, value: &mut Value) {
                 _ => damage(random, object.get_mut(key).unwrap()),
             }
         }
-        _ => *value = raw(VALUES.choose(random).unwrap()),
+        _ => {
+            // Often something of the same type, so that the text can be read.
+            let is_alike = |text: &&str| match serde_json::from_str::<Value>(text) {
+                Ok(other) => match value {
+                    Value::Number(_) => other.is_u64(),
+                    Value::String(_) => other.is_string(),
+                    _ => false,
+                },
+                Err(_) => false,
+            };
+            let alike: Vec<&str> = VALUES.into_iter().filter(|text| is_alike(&text)).collect();
+            let keeps_type = random.random_bool(0.7);
+            let text = alike.choose(random).filter(|_| keeps_type);
+            *value = raw(text.unwrap_or(&VALUES[random.random_range(0..VALUES.len())]));
+        }
     }
 }
 
@@ -132,13 +146,13 @@ fn rename(random: &mut ChaCha8Rng, object: &mut Map<String, Value>, key: &str) {
     object.insert(new.to_owned(), value);
 }
 
-/// A file with two rules, its zones or rules damaged once to three times.
+/// A file with two rules, its zones or rules damaged once or twice.
 fn damaged(seed: u64, number: u64) -> String {
     let kind = |step: u64| KINDS[((number + number / 14 * step) % 14) as usize];
     let mut scene = scene_with_rules(seed, number % 500, &[kind(1), kind(3)]);
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
     random.set_stream(number);
-    for _ in 0..random.random_range(1..=3) {
+    for _ in 0..random.random_range(1..=2) {
         let key = *["zones", "constraints", "constraints"]
             .choose(random)
             .unwrap();
@@ -198,5 +212,5 @@ fn a_damaged_file_is_refused_or_read_as_it_is_written() {
         }
     }
     println!("{refused} unreadable, {faulty} with faults, {valid} valid");
-    assert!(refused > 600 && faulty > 600 && valid > 300);
+    assert!(refused > 600 && faulty > 200 && valid > 300);
 }

@@ -20,13 +20,11 @@ mod states;
 use std::collections::BTreeMap;
 
 use giveway_model::check::check;
-use giveway_model::condition::{Act, Times, Visit};
 use giveway_model::format::native;
-use giveway_model::{Cell, Condition, Cost, Instance, Plan};
-use giveway_proof::exhaust::{Exhausted, exhaust, exhaust_kind};
-use giveway_proof::{Budget, Certified, Claim, Conclusion, Outcome, export, plain, prove, verify};
+use giveway_model::{Cost, Instance, Plan};
+use giveway_proof::{Budget, Claim, Outcome, plain, prove};
 use giveway_solve::{
-    CertifyRequest, Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve,
+    Limits, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve,
 };
 use giveway_tests::environment;
 use giveway_tests::formula::{allows, names_all};
