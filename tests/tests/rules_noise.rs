@@ -132,7 +132,7 @@ fn damage(random: &mut ChaCha8Rng, value: &mut Value) {
                 },
                 Err(_) => false,
             };
-            let alike: Vec<&str> = VALUES.into_iter().filter(|text| is_alike(&text)).collect();
+            let alike: Vec<&str> = VALUES.into_iter().filter(|text| is_alike(text)).collect();
             let keeps_type = random.random_bool(0.7);
             let text = alike.choose(random).filter(|_| keeps_type);
             *value = raw(text.unwrap_or(&VALUES[random.random_range(0..VALUES.len())]));

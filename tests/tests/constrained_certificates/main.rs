@@ -198,8 +198,6 @@ fn a_formula_agrees_with_the_solver_on_robots_without_goals() {
     assert!(plans > 80 && none > 10 && limits > 80);
 }
 
-/// Plans that were made without rules, and with them, and those that begin later.
-
 /// The same plan, begun a step later.
 fn later(instance: &Instance, plan: &Plan) -> Plan {
     let mut late = plan.clone();
@@ -213,6 +211,7 @@ fn later(instance: &Instance, plan: &Plan) -> Plan {
     late
 }
 
+/// Plans that were made without rules, and with them, and those that begin later.
 #[test]
 fn a_plan_satisfies_the_formula_exactly_where_it_keeps_the_rules() {
     let (mut valid, mut broken) = (0, 0);
