@@ -50,7 +50,7 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
     if core.groups.is_empty() || counted.iter().any(helps) {
         return;
     }
-    while core.further.len() < MOST_FURTHER {
+    while core.further.len() < MOST_FURTHER && !inquiry.is_over() {
         let earlier: BTreeSet<Group> = core.sets().flatten().copied().collect();
         let earlier: Vec<Group> = earlier.into_iter().collect();
         let mut next = group_mus_avoiding(refuted, &earlier, inquiry);
