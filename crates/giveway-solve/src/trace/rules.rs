@@ -8,9 +8,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use giveway_model::{Condition, Cost, Instance, Objective, sorting::set};
+use giveway_model::{Condition, Constraint, Cost, Instance, Objective, sorting::set};
 
-use super::{AgentLeast, Cannot, Core, Scope, SearchEvent, SearchTrace, words};
+use super::{
+    AgentLeast, Bottleneck, Cannot, Core, Scope, SearchEvent, SearchTrace, TraceEvent, words,
+};
 use crate::{
     Limits,
     budget::Budget,
@@ -50,6 +52,20 @@ pub(crate) fn name_rules(
     };
     let mut left = MOST_EVENTS;
     for event in &mut trace.events {
+        if let SearchEvent::Counted { at, .. } = &event.event {
+            if let Bottleneck::Zone { rule, .. } = at {
+                name(
+                    event,
+                    instance
+                        .constraints()
+                        .get(*rule)
+                        .into_iter()
+                        .cloned()
+                        .collect(),
+                );
+            }
+            continue;
+        }
         let claims = naming.claims(&event.event);
         if claims.is_empty() {
             continue;
@@ -62,10 +78,15 @@ pub(crate) fn name_rules(
         let core: BTreeSet<usize> = set(cores.flatten());
         let rules = instance.constraints().iter().enumerate();
         let rules = rules.filter(|(index, _)| core.contains(index));
-        event.rules = rules.map(|(_, rule)| rule.clone()).collect();
-        if let Some(rests) = words::rests_on(&event.rules) {
-            event.text = format!("{} {rests}", event.text);
-        }
+        name(event, rules.map(|(_, rule)| rule.clone()).collect());
+    }
+}
+
+/// Names the rules that an event rests on.
+fn name(event: &mut TraceEvent, rules: Vec<Constraint>) {
+    event.rules = rules;
+    if let Some(rests) = words::rests_on(&event.rules) {
+        event.text = format!("{} {rests}", event.text);
     }
 }
 
@@ -119,6 +140,8 @@ impl Naming<'_, '_> {
             | SearchEvent::Phase { .. }
             | SearchEvent::Round { .. }
             | SearchEvent::Entered { .. }
+            // (It names its rule.)
+            | SearchEvent::Counted { .. }
             | SearchEvent::Restarted { .. }
             | SearchEvent::Met { .. }
             | SearchEvent::Stopped(_) => Vec::new(),
