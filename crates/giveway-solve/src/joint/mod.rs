@@ -43,6 +43,18 @@ pub(crate) fn is_small(problem: &Problem, budget: &Budget) -> bool {
     product_of_states(problem, 0..problem.agents()) <= budget.thresholds().few_joint_states
 }
 
+/// Whether there are so few joint states that they are exhausted where clauses take long: under
+/// rules, which count much on the way that is never reached, up to ten times as many.
+pub(crate) fn is_rather_small(problem: &Problem, budget: &Budget) -> bool {
+    let few = budget.thresholds().few_joint_states;
+    let most = if problem.is_constrained {
+        few.saturating_mul(10)
+    } else {
+        few
+    };
+    product_of_states(problem, 0..problem.agents()) <= most
+}
+
 /// The product of the numbers of states that agents have alone: no fewer than their joint
 /// states.
 fn product_of_states(problem: &Problem, agents: impl Iterator<Item = AgentId>) -> usize {
