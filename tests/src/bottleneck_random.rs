@@ -44,9 +44,10 @@ pub fn scene_with_gate(seed: u64, number: u64) -> Value {
             }
         }
     }
-    passage[1] = passage[0].clone();
+    let [narrow, wide] = &mut passage;
+    wide.clone_from(narrow);
     for room in &rooms {
-        passage[1].extend(room.iter().filter(|_| random.random_bool(0.3)));
+        wide.extend(room.iter().filter(|_| random.random_bool(0.3)));
     }
     if rooms.iter().any(|room| room.len() < agents) {
         return scene_with_gate(seed.wrapping_add(1), number);

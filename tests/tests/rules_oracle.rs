@@ -19,14 +19,12 @@ use std::path::Path;
 
 use giveway_model::check::check;
 use giveway_model::format::native;
-use giveway_model::{Cost, Instance, Objective, Question};
-use giveway_solve::explain::ExplainRequest;
+use giveway_model::{Cost, Instance, Objective};
 use giveway_solve::plan::{PlanEnd, PlanRequest, Planner};
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::trace::AgentLimit;
 use giveway_solve::{
-    Limits, Reason, Refusal, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status,
-    Stop, serve,
+    Limits, Reason, Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, Stop, serve,
 };
 use giveway_tests::environment;
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
@@ -136,32 +134,6 @@ fn compare(text: &str, within: Option<u32>, what: &str) -> Option<bool> {
             Some(false)
         }
     }
-}
-
-#[test]
-fn what_does_not_heed_rules_refuses_them() {
-    let mut scene = scene_with_rules(31, 3, &["gap"]);
-    let changes =
-        r#"{ "giveway": 1, "changes": [{ "at": 1, "change": "remove-agent", "agent": "A0" }] }"#;
-    let refuses = |scene: &Value| {
-        let instance = native::read_instance(&scene.to_string()).unwrap();
-        let request = ExplainRequest {
-            scene: instance.to_scene(),
-            plan: None,
-            changes: Some(serde_json::from_str(changes).unwrap()),
-            at: None,
-            question: Question::Makespan,
-            objective: None,
-            within: None,
-            limits: Limits::default(),
-        };
-        let refused = serve(&Request::Explain(request), &SilentHost);
-        matches!(refused, Response::Refused(Refusal::Scene { faults })
-            if faults[0].place == "constraints[0]")
-    };
-    assert!(refuses(&scene));
-    scene["constraints"][0]["off"] = Value::Bool(true);
-    assert!(!refuses(&scene));
 }
 
 /// Some agents by themselves can keep limits on their arrivals just when there is a plan for

@@ -170,7 +170,7 @@ fn parts(instance: &Instance, gate: &BTreeSet<Cell>) -> Vec<(BTreeSet<Cell>, Vec
     parts
 }
 
-fn by_turns(instance: &Instance, gate: &Gate, budget: &Budget<'_>) -> Option<Option<Counted>> {
+fn by_turns(instance: &Instance, gate: &Gate, budget: &Budget<'_>) -> Option<Vec<Counted>> {
     let grid = instance.grid();
     let cells: BTreeSet<Cell> = gate.cells.iter().copied().collect();
     let parts = parts(instance, &cells);
@@ -181,8 +181,8 @@ fn by_turns(instance: &Instance, gate: &Gate, budget: &Budget<'_>) -> Option<Opt
     let is_fast = !gate.cells.iter().any(is_slow);
     let has_two = parts.len() == 2;
     // A zone is passed by turns only where it has two sides; a cell may have more.
-    if parts.len() < 2 || (!gate.is_row && !(has_two && is_fast)) {
-        return Some(None);
+    if parts.len() < 2 || !(gate.is_row || has_two && is_fast) {
+        return Some(Vec::new());
     }
     let entries = |part: usize| {
         parts
@@ -234,7 +234,7 @@ fn by_turns(instance: &Instance, gate: &Gate, budget: &Budget<'_>) -> Option<Opt
     };
     let towards = [towards(entries(1)).max(same), towards(entries(0)).max(same)];
     let pace = Pace::Apart { same, towards };
-    Some(Some(Counted { jobs, pace }))
+    Some(vec![Counted { jobs, pace }])
 }
 
 /// The steps for which a rule keeps an agent where it starts.

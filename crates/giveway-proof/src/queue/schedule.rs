@@ -62,7 +62,9 @@ fn latest(jobs: &[Job], by: u32) -> Option<[Vec<u32>; 2]> {
     for job in jobs {
         latest[job.way].push(by.checked_sub(job.tail)?);
     }
-    latest.iter_mut().for_each(|latest| latest.sort_unstable());
+    for latest in &mut latest {
+        latest.sort_unstable();
+    }
     Some(latest)
 }
 
@@ -119,7 +121,9 @@ fn starts(
     for job in jobs {
         releases[job.way].push(job.release);
     }
-    releases.iter_mut().for_each(|of| of.sort_unstable());
+    for of in &mut releases {
+        of.sort_unstable();
+    }
     let [forth, back] = [releases[0].len(), releases[1].len()];
     let mut known: BTreeMap<Progress, Vec<(u32, u64)>> = BTreeMap::new();
     for one in 0..=forth {
@@ -144,8 +148,8 @@ fn starts(
                 if before == (0, 0) {
                     add(release, 0);
                 }
-                for last in 0..2 {
-                    let apart = if last == way { same } else { towards[last] };
+                for (last, &apart) in towards.iter().enumerate() {
+                    let apart = if last == way { same } else { apart };
                     for &(start, sum) in
                         known.get(&(before.0, before.1, last)).into_iter().flatten()
                     {

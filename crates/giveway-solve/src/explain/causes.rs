@@ -91,7 +91,7 @@ fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Help
     let left_out = BTreeSet::from([group]);
     let variant = without(refuted.instance, &left_out, refuted.deadline);
     let mut tried = inquiry.search(&variant).reaching(&variant, refuted.reach);
-    if matches!(tried, Tried::Unknown) {
+    if matches!(tried, Tried::Unknown) && !inquiry.is_over() {
         tried = inquiry
             .search_again(&variant)
             .reaching(&variant, refuted.reach);

@@ -194,7 +194,7 @@ impl RepairSearch<'_> {
         }
         let variant = edited(self.broken.instance, edits, within, self.broken.whole);
         let mut tried = self.solver.search(&variant);
-        if matches!(tried, Tried::Unknown) {
+        if matches!(tried, Tried::Unknown) && !self.solver.is_over() {
             tried = self.solver.search_longer(&variant);
         }
         match tried.reaching(&variant, self.broken.reach) {

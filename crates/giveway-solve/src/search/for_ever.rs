@@ -99,13 +99,16 @@ pub(super) fn asked_below_minimum(
     Ok(None)
 }
 
+/// Agents that cannot all arrive in time, and why not at any horizon, if so.
+type QueuesTooLate = (Vec<usize>, Option<ForEver<NoPlan>>);
+
 /// Agents at a bottleneck that cannot all arrive in time, as counting shows; and whether they
 /// cannot at any horizon.
 pub(super) fn queue_too_long(
     problem: &Problem,
     bounded: &Bounded,
     budget: &Budget,
-) -> Result<Option<(Vec<usize>, Option<ForEver<NoPlan>>)>, Stop> {
+) -> Result<Option<QueuesTooLate>, Stop> {
     let mut agents = 0..problem.agents();
     let is_limited =
         !bounded.limits.is_empty() || agents.any(|agent| problem.not_after(agent) < u32::MAX);

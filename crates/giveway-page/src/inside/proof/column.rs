@@ -61,10 +61,11 @@ pub(crate) fn step_text(state: &State) -> Option<String> {
 /// The bounds before and after an event that raises one.
 const fn bound(event: &SearchEvent) -> Option<(Option<u32>, u32)> {
     match event {
-        SearchEvent::Alone { at_least, .. } => Some((None, *at_least)),
+        SearchEvent::Alone { at_least, .. } | SearchEvent::Counted { at_least, .. } => {
+            Some((None, *at_least))
+        }
         SearchEvent::Core(core) => Some((Some(core.from), core.to)),
         SearchEvent::Closed { from, to, .. } => Some((Some(*from), *to)),
-        SearchEvent::Counted { at_least, .. } => Some((None, *at_least)),
         _ => None,
     }
 }

@@ -197,7 +197,7 @@ impl<'a> Shrinking<'a> {
     /// The same with more work, where that of one of many searches is not enough.
     fn attempt_again(&mut self, left_out: &BTreeSet<Group>) -> Tried {
         let first = self.attempt(left_out);
-        if !matches!(first, Tried::Unknown) {
+        if !matches!(first, Tried::Unknown) || self.inquiry.is_over() {
             return first;
         }
         let variant = without(self.instance, left_out, self.deadline);
