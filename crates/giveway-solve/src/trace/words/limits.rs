@@ -6,7 +6,7 @@ use giveway_model::{Cost, tr};
 use super::names::{MOST_NAMES, who};
 use crate::trace::{AgentLeast, AgentLimit, Core};
 
-/// The claim of a core, without the plans that it speaks of: see [`scope`].
+/// The claim of a core, without the plans that it speaks of: see [`super::scope`].
 pub fn claim(core: &Core) -> String {
     let is_core = core.sums.is_empty();
     match &core.together {
