@@ -42,17 +42,31 @@ pub(super) fn fits(jobs: &[Job], pace: Pace, by: u32) -> bool {
             })
         }
         Pace::Apart { same, towards } => {
-            let Some(latest) = latest(jobs, by) else {
-                return false;
-            };
-            let allowed = |way: usize, number: usize, start: u32| {
-                latest[way]
-                    .get(number)
-                    .is_some_and(|&latest| start <= latest)
-            };
-            !starts(jobs, (same, towards), &allowed, true).is_empty()
+            // Of all of them, and of those that come late and have far to go.
+            jobs.iter().all(|first| {
+                jobs.iter().all(|last| {
+                    let (release, tail) = (first.release, last.tail);
+                    let some = jobs.iter();
+                    let some = some.filter(|job| job.release >= release && job.tail >= tail);
+                    let some: Vec<Job> = some.copied().collect();
+                    some.is_empty() || follow(&some, (same, towards), by)
+                })
+            })
         }
     }
+}
+
+/// Whether jobs can start one after the other so that all end by a time.
+fn follow(jobs: &[Job], apart: (u32, [u32; 2]), by: u32) -> bool {
+    let Some(latest) = latest(jobs, by) else {
+        return false;
+    };
+    let allowed = |way: usize, number: usize, start: u32| {
+        latest[way]
+            .get(number)
+            .is_some_and(|&latest| start <= latest)
+    };
+    !starts(jobs, apart, &allowed, true).is_empty()
 }
 
 /// The latest starts of both kinds, ascending, where all jobs end by a time: the k-th start of a kind is not
