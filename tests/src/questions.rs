@@ -136,7 +136,7 @@ fn draws(kind: usize, question: &Question) -> bool {
         Question::Waits { .. } => kind == 16,
         Question::Yield { .. } => kind == 17,
         // They have no contrast, or one that the oracle of rules knows.
-        Question::Rule { .. } | Question::Unsolvable | Question::Plan => false,
+        Question::Penalty | Question::Rule { .. } | Question::Unsolvable | Question::Plan => false,
     }
 }
 

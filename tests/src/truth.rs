@@ -205,6 +205,7 @@ fn early(mut question: Question) -> Question {
         | Question::Length { .. }
         | Question::Makespan
         | Question::SumOfCosts
+        | Question::Penalty
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }

@@ -346,7 +346,7 @@ export type Question =
   | { kind: "order"; agent: string; first: Cell; second: Cell }
   | { kind: "arrival"; agent: string }
   | { kind: "length"; agent: string; "fewer-than"?: number }
-  | { kind: "makespan" | "sum-of-costs" }
+  | { kind: "makespan" | "sum-of-costs" | "penalty" }
   /** Without an agent: of all of them. */
   | { kind: "charges" | "moves" | "waits"; agent?: string }
   /** Why does `agent` give way to `to`? */

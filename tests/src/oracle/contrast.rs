@@ -130,6 +130,7 @@ impl Asked {
             Question::Waits { .. } => Rule::Fewer(Counted::Waits, waits(path)),
             Question::Makespan
             | Question::SumOfCosts
+            | Question::Penalty
             | Question::Rule { .. }
             | Question::Unsolvable
             | Question::Plan => {

@@ -36,6 +36,7 @@ impl<'a> Contrast<'a> {
             | Question::Charges { agent: Some(_) }
             | Question::Moves { agent: Some(_) }
             | Question::Waits { agent: Some(_) }
+            | Question::Penalty
             | Question::Rule { .. }
             | Question::Unsolvable
             | Question::Plan => None,

@@ -82,8 +82,8 @@ pub(crate) struct Explain {
 #[derive(Debug, ClapArgs)]
 pub(crate) struct Typed {
     /// What is asked: wait, charge, no-charge, visit, no-visit, move, no-move, slow, order,
-    /// arrival, length, makespan, sum-of-costs, charges, moves, waits, yield, rule, unsolvable, plan,
-    /// delays
+    /// arrival, length, makespan, sum-of-costs, penalty, charges, moves, waits, yield, rule,
+    /// unsolvable, plan, delays
     #[arg(value_name = "QUESTION")]
     pub(crate) kind: String,
     /// The robots that it is about; of the question "rule" the rule in words

@@ -7,7 +7,7 @@ use crate::{Cell, Constraint, tr};
 const ANY: &str = "any";
 
 /// All kinds, in the order in which help lists them.
-pub(super) const KINDS: [&str; 20] = [
+pub(super) const KINDS: [&str; 21] = [
     "wait",
     "charge",
     "no-charge",
@@ -21,6 +21,7 @@ pub(super) const KINDS: [&str; 20] = [
     "length",
     "makespan",
     "sum-of-costs",
+    "penalty",
     "charges",
     "moves",
     "waits",
@@ -140,6 +141,7 @@ impl Asked {
             },
             "makespan" => Question::Makespan,
             "sum-of-costs" => Question::SumOfCosts,
+            "penalty" => Question::Penalty,
             "charges" => Question::Charges {
                 agent: maybe_agent(),
             },
@@ -284,6 +286,7 @@ impl Asked {
             Question::Arrival { .. }
             | Question::Makespan
             | Question::SumOfCosts
+            | Question::Penalty
             | Question::Charges { .. }
             | Question::Moves { .. }
             | Question::Waits { .. }

@@ -103,6 +103,7 @@ impl Question {
             Self::Length { agent, fewer_than } => below(Some(agent), Cost::Moves, *fewer_than)?,
             Self::Makespan => below(None, Cost::Makespan, None)?,
             Self::SumOfCosts => below(None, Cost::SumOfCosts, None)?,
+            Self::Penalty => below(None, Cost::Penalty, None)?,
             Self::Charges { agent } => below(agent.as_ref(), Cost::Charges, None)?,
             Self::Moves { agent } => below(agent.as_ref(), Cost::Moves, None)?,
             Self::Waits { agent } => below(agent.as_ref(), Cost::Waits, None)?,

@@ -51,6 +51,10 @@ pub(super) fn already_least(
             total(Cost::SumOfCosts),
             tr!("All robots arrive at time 0.").to_owned(),
         ),
+        Question::Penalty => (
+            total(Cost::Penalty),
+            tr!("This plan pays no penalty.").to_owned(),
+        ),
         Question::Wait { .. }
         | Question::Charge { .. }
         | Question::NoCharge { .. }

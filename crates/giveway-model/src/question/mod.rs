@@ -156,6 +156,8 @@ pub enum Question {
     Makespan,
     /// Why can the sum of arrivals not be less?
     SumOfCosts,
+    /// Why can the penalty of rules not be less?
+    Penalty,
     /// Why not fewer charges, of one agent or of all?
     Charges {
         /// The agent; all where it is left out.
@@ -211,6 +213,7 @@ impl Question {
             Self::Length { .. } => "length",
             Self::Makespan => "makespan",
             Self::SumOfCosts => "sum-of-costs",
+            Self::Penalty => "penalty",
             Self::Charges { .. } => "charges",
             Self::Moves { .. } => "moves",
             Self::Waits { .. } => "waits",
@@ -240,7 +243,9 @@ impl Question {
             | Self::Moves { agent }
             | Self::Waits { agent } => agent.as_deref(),
             Self::Rule { rule } => rule.single_agent(),
-            Self::Makespan | Self::SumOfCosts | Self::Unsolvable | Self::Plan => None,
+            Self::Makespan | Self::SumOfCosts | Self::Penalty | Self::Unsolvable | Self::Plan => {
+                None
+            }
         }
     }
 
@@ -262,6 +267,7 @@ impl Question {
             | Self::Length { .. }
             | Self::Makespan
             | Self::SumOfCosts
+            | Self::Penalty
             | Self::Charges { .. }
             | Self::Moves { .. }
             | Self::Waits { .. }
@@ -288,6 +294,7 @@ impl Question {
             | Self::Length { .. }
             | Self::Makespan
             | Self::SumOfCosts
+            | Self::Penalty
             | Self::Charges { .. }
             | Self::Moves { .. }
             | Self::Waits { .. }

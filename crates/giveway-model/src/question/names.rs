@@ -72,6 +72,7 @@ pub fn names_exist(question: &Question, instance: &Instance) -> Result<(), Misfi
         | Question::Length { .. }
         | Question::Makespan
         | Question::SumOfCosts
+        | Question::Penalty
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }

@@ -255,6 +255,7 @@ pub(super) fn not_so(
         | Question::Arrival { .. }
         | Question::Makespan
         | Question::SumOfCosts
+        | Question::Penalty
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }

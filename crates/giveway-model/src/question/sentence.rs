@@ -123,6 +123,7 @@ pub fn sentence(question: &Question) -> String {
         ),
         Question::Makespan => tr!("Why does it take this long?").to_owned(),
         Question::SumOfCosts => tr!("Why is the sum of costs not less?").to_owned(),
+        Question::Penalty => tr!("Why is the penalty not less?").to_owned(),
         Question::Charges { agent: Some(agent) } => {
             tr!("Why does {agent} not charge fewer times?", agent)
         }

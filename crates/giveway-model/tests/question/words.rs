@@ -5,7 +5,7 @@ use giveway_model::question::{from_words, to_words};
 
 use super::question;
 
-const TYPED: [&str; 24] = [
+const TYPED: [&str; 25] = [
     "wait A2",
     "wait A2 --at 3,1 --from 0 --to 2",
     "wait A2 --at-least 2",
@@ -25,6 +25,7 @@ const TYPED: [&str; 24] = [
     "length A1 --fewer-than 7",
     "makespan",
     "sum-of-costs",
+    "penalty",
     "charges",
     "moves A1",
     "waits A1",

@@ -20,6 +20,7 @@ pub(super) fn is_later(question: &Question, since: u32) -> bool {
         | Question::Length { .. }
         | Question::Makespan
         | Question::SumOfCosts
+        | Question::Penalty
         | Question::Charges { .. }
         | Question::Moves { .. }
         | Question::Waits { .. }

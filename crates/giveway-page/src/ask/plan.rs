@@ -22,8 +22,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
             Cost::Charges => ("charger", Question::Charges { agent: None }),
             Cost::Moves => ("trail", Question::Moves { agent: None }),
             Cost::Waits => ("pause", Question::Waits { agent: None }),
-            // No question is about it.
-            Cost::Penalty => continue,
+            Cost::Penalty => ("warning", Question::Penalty),
         };
         let value = costs.get(cost);
         if value == 0 {

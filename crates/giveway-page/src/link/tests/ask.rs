@@ -77,6 +77,7 @@ fn every_question_comes_back() {
         "length;A1!fewer-than.9",
         "makespan",
         "sum-of-costs",
+        "penalty",
         "charges;A1",
         "moves",
         "waits",
