@@ -3,6 +3,7 @@
 //! they are said (`tr.rs`, `catalogue.rs`).
 
 mod catalogue;
+mod places;
 mod po;
 mod sentence;
 mod tr;
@@ -12,11 +13,13 @@ use std::fmt::Display;
 use crate::{Cost, Costs, tr};
 
 pub use catalogue::{Catalogue, PluralRule, in_english, speak};
+#[doc(hidden)]
+pub use places::{checked, checked_forms};
 pub use po::{Message, NoCatalogue, read as messages};
 pub use sentence::Sentence;
 pub use tr::{Later, found, retold, translated};
 #[doc(hidden)]
-pub use tr::{checked, checked_forms, fill, fill_counted, number, text};
+pub use tr::{fill, fill_counted, number, text};
 
 /// Phrases in a row: `a`, `a and b`, `a, b and c`.
 ///

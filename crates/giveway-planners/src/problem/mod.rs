@@ -1,23 +1,18 @@
 //! An instance as planners see it: a graph, tasks, exact distances.
 
+mod horizon;
+mod walks;
+
 use std::collections::BTreeSet;
 
-use giveway_model::{Cost, Costs, Grid, Instance};
+use giveway_model::Instance;
 
 use crate::{
-    bottleneck::Bottlenecks,
-    budget::{Budget, Stop, Unlimited},
+    budget::{Budget, Stop},
     rules::{Between, OwnRules, Precedence},
-    single::{
-        Bounds, CostToGo, MAX_WAYPOINTS, Mask, Metric, NoPlanAlone, Part, Place, Required, Task,
-        earliest,
-    },
+    single::{Bounds, CostToGo, MAX_WAYPOINTS, Metric, NoPlanAlone, Task, earliest},
     terrain::Terrain,
-    walk::{Walk, costs_of},
 };
-
-/// The least agents of which it is counted what they need at a bottleneck, for the horizon.
-const FEWEST_IN_QUEUE: usize = 4;
 
 /// Rules between agents that do not count, by the agents' numbers: what an
 /// explanation leaves out to see whether a plan exists without it.
@@ -146,13 +141,6 @@ impl Problem {
         Ok(problem)
     }
 
-    /// The largest of the earliest arrivals and of the ends of breakdowns: others
-    /// may have to wait for an agent that has arrived and broken down.
-    fn longest(&self) -> u32 {
-        let held = self.tasks.iter().map(|task| task.earliest_move);
-        self.optima.iter().copied().chain(held).max().unwrap_or(0)
-    }
-
     /// An agent's least part of the sum of costs, alone.
     pub fn least_cost(&self, agent: usize) -> u32 {
         match self.optima[agent] {
@@ -217,71 +205,6 @@ impl Problem {
         self.tasks[agent].not_after()
     }
 
-    /// Whether a walk of an agent, with so many charges, keeps to what is asked for
-    /// beside its task, as far as walks made outside the SAT solver may fail to.
-    pub fn keeps_alone(&self, agent: usize, walk: &Walk, charges: u32) -> bool {
-        let task = &self.tasks[agent];
-        task.conditions.parts().all(|part| match part {
-            // Every search keeps to these.
-            Part::Forbidden(_) | Part::Required(_, Required::Cross { .. }) => true,
-            Part::Counter(_) => self.keeps_counts(agent, walk),
-            Part::Required(_, Required::Charge { .. }) => {
-                crate::walk::charges(task, &self.terrain, walk).is_some()
-            }
-            Part::Limit(cost, most) => {
-                let own = Costs {
-                    charges,
-                    ..costs_of(self, agent, walk)
-                };
-                own.get(cost) <= most
-            }
-        })
-    }
-
-    /// Whether the counters of an agent allow all steps of a walk, and its end.
-    fn keeps_counts(&self, agent: usize, walk: &Walk) -> bool {
-        let task = &self.tasks[agent];
-        let masks = self.follow(agent, walk);
-        match (masks.last(), walk.last()) {
-            (Some(&mask), Some(&Place::At(v))) if masks.len() == walk.len() => {
-                let now = walk.len() as u32 - 1;
-                task.conditions.may_end(mask, v, now)
-            }
-            _ => false,
-        }
-    }
-
-    /// How far an agent has come at each time of a walk; up to a step that its counters
-    /// forbid.
-    fn follow(&self, agent: usize, walk: &[Place]) -> Vec<Mask> {
-        let task = &self.tasks[agent];
-        let first = task.first().map(|state| state.mask);
-        let mut masks = Vec::from_iter(first);
-        for (pair, now) in walk.windows(2).zip(0..) {
-            let Some(&mask) = masks.last() else { break };
-            let counted = task.counted(&self.terrain, mask, [pair[0], pair[1]], now);
-            let Some(mut mask) = counted else { break };
-            if let Place::At(v) = pair[1] {
-                mask |= task.bit(v);
-            }
-            masks.push(mask);
-        }
-        masks
-    }
-
-    /// The same, where rules between agents ask for it; else nothing is known of how far it
-    /// came.
-    pub(crate) fn masks_of(&self, agent: usize, walk: &[Place]) -> Vec<Mask> {
-        let mut rules = self.between.rules.iter();
-        let asks = !self.precedences.is_empty() || rules.any(|rule| !rule.uncounted.is_empty());
-        if !asks {
-            return vec![0; walk.len()];
-        }
-        let mut masks = self.follow(agent, walk);
-        masks.resize(walk.len(), masks.last().copied().unwrap_or(0));
-        masks
-    }
-
     /// The largest number of which each weight of a penalty is a multiple; 1 where there is
     /// none.
     pub fn penalty_unit(&self) -> u32 {
@@ -299,55 +222,6 @@ impl Problem {
         let orders = &mut self.precedences.iter();
         self.between.rules.iter().any(|rule| rule.binds(agent))
             || orders.any(|order| order.first.0 == agent || order.second.0 == agent)
-    }
-
-    /// A number of steps that no plan needs to exceed: one with more comes to
-    /// the same joint state twice, and what lies between can be left out, which
-    /// makes no cost higher. `None` where the number is too large to be of use.
-    pub fn sufficient_horizon(&self) -> Option<u32> {
-        let slow = (0..self.terrain.size() as u32).flat_map(|v| self.terrain.arcs(v));
-        let places = self.terrain.size() + slow.filter(|arc| arc.slow).count();
-        let mut states: u32 = 1;
-        let mut timed = self.between.last_time().unwrap_or(0);
-        for task in &self.tasks {
-            // On the way; and at the end, one step or more.
-            let way = [
-                places + 1,
-                task.masks(),
-                task.levels(),
-                task.conditions.counts(),
-            ]
-            .iter()
-            .try_fold(1u32, |product, &factor| {
-                product.checked_mul(u32::try_from(factor).ok()?)
-            })?;
-            let ends = u32::try_from(task.goal.map_or(self.terrain.size(), |_| 1)).ok()?;
-            states = states.checked_mul(way.checked_add(ends.checked_mul(2)?)?)?;
-            let resting = task.not_resting.iter().map(|&(_, time)| time);
-            let times = resting.chain(task.last_time()).chain([task.not_before]);
-            timed = times.fold(timed, u32::max);
-        }
-        // A gap remembers where the agents were, a precedence whether the first has been there.
-        states = states.checked_pow(self.between.gap().checked_add(1)?)?;
-        states = states.checked_mul(2u32.checked_pow(self.precedences.len() as u32)?)?;
-        // The conditions differ at each of these times.
-        states.checked_add(timed)?.checked_add(2)
-    }
-
-    /// The makespan beyond which nothing is looked for, by default. Where agents under rules need
-    /// more at a bottleneck, it is as much later than that.
-    pub fn default_horizon(&self, grid: &Grid) -> u32 {
-        let around = 4 * (grid.width() + grid.height()) + 10;
-        let default = self.longest.saturating_add(around);
-        if !self.has_rules_between() {
-            return default;
-        }
-        let queues = Bottlenecks::of(self, FEWEST_IN_QUEUE, &Unlimited::default());
-        let queues = queues.unwrap_or_default();
-        match queues.bound(self, Cost::Makespan, None) {
-            Some(queue) if queue.at_least > default => queue.at_least.saturating_add(around),
-            _ => default,
-        }
     }
 }
 
