@@ -10,8 +10,9 @@ use giveway_model::Agent;
 
 use super::{
     Cause, MethodAnswer,
-    freed::{Fewest, MethodCase, Trouble},
+    freed::Fewest,
     keep::{self, MethodRefusal},
+    method_case::{MethodCase, Trouble},
 };
 use crate::{
     Progress,

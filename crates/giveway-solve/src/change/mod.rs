@@ -16,6 +16,7 @@ mod freed;
 mod horizon;
 mod keep;
 mod method;
+mod method_case;
 mod request;
 mod rule;
 mod serve;

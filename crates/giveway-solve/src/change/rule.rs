@@ -4,11 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::{Cell, constraint::ConstraintKind};
 
-use super::{
-    CauseKind, CauseRule,
-    freed::{Exists, MethodCase},
-    keep::MethodRefusal,
-};
+use super::{CauseKind, CauseRule, freed::Exists, keep::MethodRefusal, method_case::MethodCase};
 use crate::{
     budget::Stop,
     problem::{Problem, ProblemError},

@@ -10,8 +10,8 @@ use giveway_model::{
 };
 
 use super::{
-    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, freed::MethodCase, horizon,
-    method,
+    ChangeAnswer, ChangeRequest, Method, MethodAnswer, Methods, Step, horizon, method,
+    method_case::MethodCase,
 };
 use crate::{Host, budget::Budget, service::Refusal};
 

@@ -14,7 +14,7 @@ use crate::{
     change::{
         Cause, Method, MethodAnswer,
         compare::{AgentsCompared, compare},
-        freed::{MethodCase, Trouble},
+        method_case::{MethodCase, Trouble},
     },
     judged::Judged,
     search::{Aim, Proved},

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use giveway_model::Cell;
 
-use crate::change::{Cause, CauseKind, freed::MethodCase, keep::MethodRefusal};
+use crate::change::{Cause, CauseKind, keep::MethodRefusal, method_case::MethodCase};
 
 pub(super) fn cause_of(case: &MethodCase<'_, '_>, agent: usize, fault: MethodRefusal) -> Cause {
     let name = case.name(agent);

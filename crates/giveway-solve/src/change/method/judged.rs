@@ -6,7 +6,7 @@ use giveway_model::{Costs, Plan, check::check_history, sorting};
 
 use super::MethodFound;
 use crate::{
-    change::{Method, compare::compare, freed::MethodCase},
+    change::{Method, compare::compare, method_case::MethodCase},
     problem::Problem,
     search::{Bounded, Extent, GivenWalk, closest},
     walk::{Walk, of_path, to_plan},
