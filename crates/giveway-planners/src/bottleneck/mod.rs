@@ -28,7 +28,7 @@ use crate::{
     problem::{Problem, Relaxed},
     terrain::Vertex,
 };
-use schedule::Machine;
+use schedule::{Machine, Prefer};
 
 /// Where agents have to pass.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -152,12 +152,19 @@ impl Bottleneck {
         self.jobs.iter().map(|job| job.agent)
     }
 
-    /// Its agents in an order in which they pass it when its bound of a cost is met, and a makespan.
-    pub fn order(&self, cost: Cost, within: Option<u32>) -> Vec<AgentId> {
+    /// Its agents in orders in which they pass it when its bound of a cost is met, and a makespan:
+    /// who is there first, or who has the farthest to go from there, goes first.
+    pub fn orders(&self, cost: Cost, within: Option<u32>) -> [Vec<AgentId>; 2] {
         let is_sum = cost == Cost::SumOfCosts;
-        let within = within.unwrap_or(u32::MAX);
-        let within = if is_sum { within } else { self.makespan() };
-        self.machine.order(&self.jobs, within, is_sum)
+        let latest = within.filter(|_| is_sum).unwrap_or(u32::MAX);
+        let latest = if is_sum { latest } else { self.makespan() };
+        // Where all have to be done by a time, who has most to do must not wait.
+        let prefer = if latest < u32::MAX {
+            [Prefer::Longest, Prefer::First]
+        } else {
+            [Prefer::First, Prefer::Longest]
+        };
+        prefer.map(|prefer| self.machine.order(&self.jobs, latest, is_sum, prefer))
     }
 
     /// A lower bound of the makespan.

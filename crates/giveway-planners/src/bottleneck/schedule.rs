@@ -10,6 +10,15 @@ const MOST_NUMBERS: usize = 64;
 /// Time steps over which work is laid out.
 const MOST_STEPS: u32 = 1_000_000;
 
+/// Which of the jobs that could come next does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Prefer {
+    /// The one that is there first.
+    First,
+    /// The one with most to do afterwards: it has the farthest to go, past the goals of others.
+    Longest,
+}
+
 /// What agents are to a gate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Machine {
@@ -131,13 +140,19 @@ impl Machine {
 
     /// The jobs in an order in which all end by a time; of such orders one in which the sum is
     /// least, where that is asked for.
-    pub(super) fn order(self, jobs: &[Job], within: u32, is_sum: bool) -> Vec<AgentId> {
-        let by = |key: &dyn Fn(&Job) -> u32, jobs: &mut Vec<Job>| {
-            sort_by_key(jobs, |job| (key(job), u32::MAX - job.tail));
-        };
+    pub(super) fn order(
+        self,
+        jobs: &[Job],
+        within: u32,
+        is_sum: bool,
+        prefer: Prefer,
+    ) -> Vec<AgentId> {
         let mut left = jobs.to_vec();
+        sort_by_key(&mut left, |job| {
+            (job.release.saturating_add(job.work), u32::MAX - job.tail)
+        });
         let ways = match self {
-            Self::Places(_) => Vec::new(),
+            Self::Places(most) => return in_places(left, most, prefer),
             Self::Turns { same, opposed } => {
                 let turns = Turns::of(jobs, same, opposed);
                 if is_sum {
@@ -147,17 +162,14 @@ impl Machine {
                 }
             }
         };
-        // Of those that go the same way, who is there first, and of these who has most to do afterwards;
-        // where all have to be done by a time, the other way round.
-        by(&|job| job.release.saturating_add(job.work), &mut left);
         let mut order = Vec::new();
         for (way, start) in ways {
-            let mut ready = left.iter().enumerate();
-            let next = if within < u32::MAX {
-                let ready = ready.filter(|(_, job)| job.way == way && job.release <= start);
-                ready.max_by_key(|(place, job)| (job.tail, usize::MAX - place))
-            } else {
-                ready.find(|(_, job)| job.way == way)
+            let mut same = left.iter().enumerate().filter(|(_, job)| job.way == way);
+            let next = match prefer {
+                Prefer::First => same.next(),
+                Prefer::Longest => same
+                    .filter(|(_, job)| job.release <= start)
+                    .max_by_key(|(place, job)| (job.tail, usize::MAX - place)),
             };
             if let Some((place, _)) = next {
                 order.push(left.remove(place).agent);
@@ -166,6 +178,31 @@ impl Machine {
         order.extend(left.iter().map(|job| job.agent));
         order
     }
+}
+
+/// The order in which jobs, sorted by when they could be done, are taken in by so many places.
+fn in_places(mut left: Vec<Job>, most: u32, prefer: Prefer) -> Vec<AgentId> {
+    let places = (most.max(1) as usize).min(left.len());
+    let mut free = vec![0; places];
+    let mut order = Vec::new();
+    while let Some(first) = left.iter().map(|job| job.release).min() {
+        let Some(place) = free.iter_mut().min() else {
+            break;
+        };
+        let now = first.max(*place);
+        let mut ready = left.iter().enumerate();
+        let next = match prefer {
+            Prefer::First => ready.next(),
+            Prefer::Longest => ready
+                .filter(|(_, job)| job.release <= now)
+                .min_by_key(|(place, job)| (job.work, u32::MAX - job.tail, *place)),
+        };
+        let Some((next, _)) = next else { break };
+        let job = left.remove(next);
+        *place = now.max(job.release).saturating_add(job.work);
+        order.push(job.agent);
+    }
+    order
 }
 
 /// The numbers, ascending and each once; of very many the least and some others.

@@ -5,6 +5,9 @@ use giveway_model::Cost;
 use super::{counting::CountedBound, for_ever::LeastForEver, minima::LoneBound, stage::Search};
 use crate::sat::Core;
 
+/// Counting shows much where it shows one of so many parts.
+const PARTS_COUNTED: u64 = 4;
+
 /// No plan with the optima of all costs before it has less of a cost. It begins with what
 /// agents need alone; counting at bottlenecks and unsatisfiable cores raise it.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +66,14 @@ impl Bound {
     /// Whether counting shows more than cores do.
     pub(super) const fn is_counted(self) -> bool {
         self.at_least > self.by_cores
+    }
+
+    /// Whether counting shows much of what a plan with so much of the cost has beyond what cores
+    /// show: there it is worth looking for a plan that meets the bound.
+    pub(super) fn is_counted_for(self, plan: u32) -> bool {
+        let counted = u64::from(self.at_least - self.by_cores.min(self.at_least));
+        let beyond = u64::from(plan.saturating_sub(self.by_cores));
+        self.is_counted() && PARTS_COUNTED * counted >= beyond
     }
 
     /// No plan meets the bound, as a core shows.

@@ -188,7 +188,7 @@ fn stages(
                 bound.take_counted(shown);
                 search.tell_counted(bound, bottleneck);
                 verdict.bounds.insert(cost, bound.at_least());
-                search.approach(bound, bottleneck.order(cost, within))?;
+                search.approach(bound, bottleneck.orders(cost, within))?;
                 counted = Some(shown);
             }
         }

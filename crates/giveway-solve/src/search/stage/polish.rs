@@ -104,16 +104,23 @@ impl Search<'_, '_, '_> {
     }
 
     /// Looks for a plan that meets a bound that counting shows, since the formula proves little of
-    /// it: the best plan is improved, and one in which the agents pass the bottleneck in the
-    /// order, which loses no time there.
-    pub(crate) fn approach(&mut self, bound: Bound, order: Vec<AgentId>) -> Result<(), Stop> {
+    /// it: the best plan is improved, and those in which the agents pass the bottleneck in orders
+    /// that lose no time there. Where counting shows little, that is left to the proof.
+    pub(crate) fn approach(&mut self, bound: Bound, orders: [Vec<AgentId>; 2]) -> Result<(), Stop> {
+        let best = self.incumbent.costs().map(|costs| costs.get(bound.cost()));
+        if best.is_some_and(|best| !bound.is_counted_for(best)) {
+            return Ok(());
+        }
         if let Some(walks) = self.incumbent.walks().map(<[_]>::to_vec) {
             self.approach_from((walks, FoundBy::Lns), bound)?;
         }
         let latest = self.deadlines.last_cap();
-        if bound.met(self).is_none()
-            && let Some(walks) = plan_in_order(self.problem, order, latest, &self.budget)?
-        {
+        for order in orders {
+            if bound.met(self).is_some() {
+                break;
+            }
+            let planned = plan_in_order(self.problem, order, latest, &self.budget)?;
+            let Some(walks) = planned else { continue };
             self.incumbent
                 .offer(self.problem, &walks, FoundBy::Prioritised);
             self.approach_from((walks, FoundBy::Lns), bound)?;
