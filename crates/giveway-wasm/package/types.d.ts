@@ -394,9 +394,39 @@ export interface Fact {
   helps: boolean | null;
 }
 
+/** Facts of one set that are told together: of one robot, of a shelf block, of an aisle. */
+export interface FactGroup {
+  kind: "agent" | "agents" | "collisions" | "aisle" | "shelf" | "shelves" | "rule" | "rules";
+  agents: string[];
+  /** The cells of an aisle, or the obstacles of a shelf block among the facts. */
+  cells: Cell[];
+  /** By their places in the set, from 0. */
+  facts: number[];
+  text: string;
+  /** Whether it is shown that each of its facts is needed in the set. */
+  needed: boolean;
+  /** Whether leaving out one of its facts alone helps; null where it is not known. */
+  helps: boolean | null;
+  /** The least costs of the whole scene without one of its facts, as far as was tried. */
+  price?: { fact: number; costs: Costs; proved: boolean };
+}
+
+/** What some robots alone need, proved: no plan of all costs less. */
+export interface SubsetBound {
+  agents: string[];
+  cost: Cost;
+  /** What they need where each is alone: the most of one for the makespan, else the sum. */
+  own: number;
+  least: number;
+  /** What they have in the plan that is asked about, or in the other plan where that costs more. */
+  here: number;
+}
+
 /** Facts that alone make it impossible, or so costly; others may make it so, too. */
 export interface Core {
   facts: Fact[];
+  /** The facts in groups, the deciding one first, where there are more than three: seven at most. */
+  groups?: FactGroup[];
   /** Each is needed in the set: with only the others of the set there is a plan. */
   minimal: boolean;
   complete: boolean;
@@ -451,6 +481,8 @@ export interface ExplainAnswer {
   /** What would happen; of `unsolvable` with the class of rules that were soft. */
   witness: (Violation & { class?: "collision" | "obstacle" | "battery" | "waypoint" })[];
   core: Core | null;
+  /** What sets of robots alone need, where the question is about a cost of the whole plan, or no small reason was found. */
+  alone?: SubsetBound[];
   repairs: Repair[];
   /** Whether all repairs were tried. */
   /** How many more repairs help than are told. */

@@ -4,6 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Cost, Costs, Plan, check::Violation};
 use serde::{Deserialize, Serialize};
 
+use super::fact_groups::FactGroup;
 use crate::Reach;
 
 /// A count that is higher for an agent in this plan than in a better one.
@@ -191,6 +192,9 @@ pub struct Fact {
 pub struct Core {
     /// The facts.
     pub facts: Vec<Fact>,
+    /// The facts in groups, the deciding one first, where there are more than three facts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub groups: Vec<FactGroup>,
     /// Whether each fact was shown to be needed in the set: with only the others
     /// of the set there is a plan.
     pub minimal: bool,

@@ -9,17 +9,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::Instance;
+use giveway_model::{Costs, Instance, sorting::sort_by_key};
 
 use super::{
     answer::{FactKind, Helps},
     group::{Group, without},
     group_mus::{CoreFound, Inquiry, Tried, group_mus_avoiding},
+    repairs::{EditedPlan, Solver},
 };
 use crate::search::Proved;
 
 /// Further sets that are looked for.
 const MOST_FURTHER: usize = 2;
+/// Facts of a large floor that are left out of the whole, each alone.
+const MOST_MARKED: usize = 24;
+/// Facts whose price is looked for.
+const MOST_PRICED: usize = 6;
 
 /// An instance that has no plan as asked for.
 pub(crate) struct Refuted<'a> {
@@ -64,6 +69,48 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
         }
         trials.mark(&mut next, inquiry);
         core.further.push(next);
+    }
+}
+
+/// Marks the facts of a minimal set that help, as many as are worth it on a large floor: those
+/// first that a person would change first.
+pub(crate) fn mark_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
+    let mut groups = core.groups.clone();
+    sort_by_key(&mut groups, |group| match group {
+        Group::Constraint(_) | Group::Deadline | Group::Floor | Group::Breakdown(..) => 0,
+        Group::Waypoint(..) => 1,
+        Group::Battery(_) => 2,
+        Group::Slow => 3,
+        Group::Task(_) => 4,
+        Group::Stay(_) => 5,
+        Group::Obstacle(_) => 6,
+        Group::Collision(..) => 7,
+    });
+    for group in groups.into_iter().take(MOST_MARKED) {
+        let helps = leave_out(refuted, group, inquiry);
+        core.helps.insert(group, helps);
+    }
+}
+
+/// Finds what the whole instance costs without a fact that helps; `whole` gives the costs of the
+/// whole plan.
+pub(crate) fn find_prices(
+    refuted: &Refuted,
+    core: &mut CoreFound,
+    solver: &mut dyn Solver,
+    whole: impl Fn(&EditedPlan) -> Costs,
+) {
+    let helps = |group: &&Group| core.helps.get(group) == Some(&Helps::Yes);
+    let helping: Vec<Group> = core.groups.iter().filter(helps).copied().collect();
+    for group in helping.into_iter().take(MOST_PRICED) {
+        if solver.is_over() {
+            return;
+        }
+        let left_out = BTreeSet::from([group]);
+        let variant = without(refuted.instance, &left_out, refuted.deadline);
+        if let Some(found) = solver.best(&variant) {
+            core.prices.insert(group, (whole(&found), found.proved));
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use giveway_model::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{AgentDifference, Core, Excess, How, Repair, WitnessEntry};
+use super::{AgentDifference, Core, Excess, How, Repair, SubsetBound, WitnessEntry};
 use crate::{Limits, Reach, Stats};
 
 /// Answer a question about a plan, or about there being none.
@@ -142,6 +142,10 @@ pub struct ExplainAnswer {
     pub witness: Vec<WitnessEntry>,
     /// The facts that together make it impossible, or so costly.
     pub core: Option<Core>,
+    /// What sets of agents alone need, the set that needs most beyond the needs of each first: for
+    /// a question about a cost of the whole plan, or where no small set of facts was found.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub alone: Vec<SubsetBound>,
     /// The edits that would help, the best first.
     pub repairs: Vec<Repair>,
     /// How many more repairs help than are told.
@@ -188,6 +192,7 @@ impl ExplainAnswer {
             pays: Vec::new(),
             witness: Vec::new(),
             core: None,
+            alone: Vec::new(),
             repairs: Vec::new(),
             further_repairs: 0,
             exhaustive: false,

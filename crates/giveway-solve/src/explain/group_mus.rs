@@ -11,12 +11,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Instance, Plan};
 
+mod floor;
 mod shrinking;
 
 use super::{
     answer::{Core, Fact, Helps},
     causes::Refuted,
+    fact_groups::{Prices, fact_groups},
     group::{Group, Variant, groups},
+    growing::ForcingSet,
 };
 use crate::search::Proved;
 use shrinking::Shrinking;
@@ -69,6 +72,8 @@ pub(crate) struct CoreFound {
     pub(crate) reach: Proved,
     /// Which of them help when they alone are left out, as far as was tried.
     pub(crate) helps: BTreeMap<Group, Helps>,
+    /// What the whole instance costs without some of them, each alone.
+    pub(crate) prices: Prices,
     /// Further sets.
     pub(crate) further: Vec<Self>,
 }
@@ -81,12 +86,15 @@ impl CoreFound {
             ..group.fact(instance, within)
         });
         let further = self.further.iter();
-        Core {
+        let mut core = Core {
             facts: facts.collect(),
+            groups: Vec::new(),
             minimal: self.minimal,
             reach: self.reach.into(),
             further: further.map(|core| core.core(instance, within)).collect(),
-        }
+        };
+        core.groups = fact_groups(instance, &self.groups, &core, &self.prices);
+        core
     }
 
     /// The facts of this set, then those of the further ones.
@@ -134,6 +142,19 @@ pub(crate) fn group_mus_of_rules(
     shrinking.shrink_rules();
     let all = groups(refuted.instance, refuted.asked, refuted.deadline.is_some());
     shrinking.leave_out_strangers(&all, clash);
+    shrinking.minimal_set(refuted.asked)
+}
+
+/// The same of agents that alone exclude a plan. Obstacles are first left out by whole shelf
+/// blocks.
+pub(crate) fn group_mus_of_agents(
+    refuted: &Refuted,
+    forcing: ForcingSet,
+    inquiry: &mut dyn Inquiry,
+) -> CoreFound {
+    let mut shrinking = Shrinking::new(refuted, inquiry);
+    shrinking.begin_with(refuted, forcing);
+    shrinking.leave_out_blocks();
     shrinking.minimal_set(refuted.asked)
 }
 

@@ -10,7 +10,9 @@
 //! - [`group`], [`edits`]: facts left out, edits made;
 //! - [`reasons`]: the parts that say why, in their order;
 //! - [`contrasted`]: the search for what a question asks for, with facts left out;
-//! - [`group_mus`]: facts that alone make it impossible;
+//! - [`group_mus`]: facts that alone make it impossible; [`growing`]: a smallest set of agents that
+//!   alone do; [`alone`]: what sets of agents alone need;
+//! - [`fact_groups`]: these facts in groups; [`shelves`]: shelf blocks and aisles;
 //! - [`causes`]: which of these help when they are left out, and further sets;
 //! - [`soft`]: plans that break as few rules as can be;
 //! - [`repairs`]: edits that help;
@@ -21,6 +23,7 @@
 //! - [`answer`]: reasons in the shapes in which they are written as JSON;
 //! - [`words`]: reasons in words.
 
+pub mod alone;
 pub mod answer;
 pub(crate) mod ask;
 pub(crate) mod causes;
@@ -30,14 +33,17 @@ pub(crate) mod contrasted;
 pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
+mod fact_groups;
 pub(crate) mod group;
 pub(crate) mod group_mus;
+mod growing;
 pub(crate) mod how;
 pub(crate) mod lone_walk;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
 pub(crate) mod reasons;
 pub(crate) mod repairs;
+mod shelves;
 pub(crate) mod soft;
 #[cfg(test)]
 mod tests;
@@ -47,11 +53,13 @@ pub(crate) mod waits;
 pub(crate) mod whole;
 pub(crate) mod words;
 
+pub use alone::SubsetBound;
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
+pub use fact_groups::{FactGroup, FactGroupKind, FactPrice, MOST_GROUPS};
 pub use how::{AgentDifference, How};
 pub use words::{
-    edits_in_words, facts_claim, facts_title, helps_mark, how_of, how_sentence, verdict_word,
-    witness_title,
+    alone_sentence, edits_in_words, facts_claim, facts_title, helps_mark, how_of, how_sentence,
+    verdict_word, witness_title,
 };

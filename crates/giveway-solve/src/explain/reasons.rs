@@ -1,17 +1,19 @@
 //! The parts of an answer that say why, in their order, each with limits of its
 //! own: what would happen, what together makes it impossible, what would help.
 
-use std::{collections::BTreeSet, rc::Rc};
+use std::rc::Rc;
 
 use giveway_model::{Cost, Costs, Instance, Plan, sorting};
+
+mod small;
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     ask::Found,
-    causes::{Refuted, find_causes},
+    causes::Refuted,
     contrasted::ContrastSearch,
     group::Group,
-    group_mus::{CoreFound, Tried, group_mus},
+    group_mus::CoreFound,
     own_plan::{OwnPlanReport, judge},
     own_way,
     repairs::{Unsolved, repairs},
@@ -79,7 +81,9 @@ pub(crate) fn of_case(
 
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
-        let core = core_of_case(case, answer, budget);
+        let found = small::reason_of_case(case, answer, budget);
+        answer.alone = found.alone;
+        let core = found.core;
         let deadline = case.within.map(|time| case.whole.time(time));
         answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
         word(case, &about, answer);
@@ -107,6 +111,7 @@ pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnsw
         whole: case.whole,
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
+        alone: &answer.alone,
         repairs: &case.whole.repairs(&answer.repairs),
     });
 }
@@ -145,39 +150,6 @@ fn contrasted<'a, 'h>(
         horizon: answer.reach.within().unwrap_or(case.costs.makespan),
         budget: part(budget),
     }
-}
-
-fn core_of_case(
-    case: &FittingQuestion,
-    answer: &ExplainAnswer,
-    budget: &Rc<Budget>,
-) -> Option<CoreFound> {
-    let reach = case.shown?;
-    let refuted = Refuted {
-        instance: case.instance,
-        asked: &asked(case),
-        deadline: case.within,
-        reach,
-    };
-    let mut inquiry = contrasted(case, answer, budget);
-    let none = Tried::None {
-        reach,
-        clash: Vec::new(),
-    };
-    let core = group_mus(
-        case.instance,
-        refuted.asked,
-        case.within,
-        &BTreeSet::new(),
-        none,
-        &mut inquiry,
-    );
-    budget.absorb(&inquiry.budget);
-    let mut core = core?;
-    let mut inquiry = contrasted(case, answer, budget);
-    find_causes(&refuted, &mut core, &mut inquiry);
-    budget.absorb(&inquiry.budget);
-    Some(core)
 }
 
 fn help_case(
@@ -231,20 +203,15 @@ pub(crate) fn of_no_plan(
     budget.absorb(&any_plan.budget);
     tell_no_plan(answer, whole, Part::Witness, tell);
 
-    let mut any_plan = searching(1);
-    let mut core = unsolvable::core(instance, within, found, &mut any_plan);
-    budget.absorb(&any_plan.budget);
-    if let Some((core, reach)) = core.as_mut().zip(found.reach) {
+    let core = found.reach.and_then(|reach| {
         let refuted = Refuted {
             instance,
             asked: &[],
             deadline: within,
             reach,
         };
-        let mut any_plan = searching(1);
-        find_causes(&refuted, core, &mut any_plan);
-        budget.absorb(&any_plan.budget);
-    }
+        small::reason_of_no_plan(&refuted, found, searching, budget)
+    });
     let deadline = within.map(|time| whole.time(time));
     answer.core = core.as_ref().map(|core| core.core(instance, deadline));
     tell_no_plan(answer, whole, Part::Core, tell);

@@ -27,6 +27,11 @@ pub(crate) struct WholePlan<'a> {
 }
 
 impl WholePlan<'_> {
+    /// Whether the instance is the rest of a plan.
+    pub(crate) const fn is_rest(self) -> bool {
+        self.running.is_some()
+    }
+
     fn since(self) -> u32 {
         self.running.map_or(0, |(snapshot, _)| snapshot.at)
     }
@@ -260,6 +265,7 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.how.clear();
     answer.pays.clear();
     answer.core = None;
+    answer.alone.clear();
     answer.repairs.clear();
     answer.further_repairs = 0;
     answer.exhaustive = false;

@@ -11,7 +11,8 @@ use giveway_model::{
     words::name,
 };
 use giveway_solve::explain::{
-    Core, ExplainAnswer, Verdict, facts_claim, facts_title, helps_mark, verdict_word, witness_title,
+    Core, ExplainAnswer, FactGroup, Helps, Verdict, alone_sentence, facts_claim, facts_title,
+    helps_mark, verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -20,6 +21,8 @@ use crate::output::{map, plain, table, words};
 
 /// So many things of a kind are told one by one; the rest is counted.
 const TOLD: usize = 20;
+/// More facts are told in groups.
+const FEW_FACTS: usize = 7;
 
 /// The question, the answer in words, the costs side by side, both plans, the
 /// reasons.
@@ -80,8 +83,15 @@ fn whole(
     let sets = answer.core.iter().flat_map(Core::sets).enumerate();
     parts.extend(sets.map(|(set, core)| {
         let title = facts_title(answer.verdict, core, set > 0);
-        facts(answer, core, title)
+        if core.facts.len() > FEW_FACTS && !core.groups.is_empty() {
+            groups(answer, core, title)
+        } else {
+            facts(answer, core, title)
+        }
     }));
+    let alone: Vec<String> = answer.alone.iter().map(alone_sentence).collect();
+    let alone: Vec<&str> = alone.iter().map(String::as_str).collect();
+    parts.push(listed("What some robots alone need", &alone));
     let mut repairs: Vec<&str> = answer.repairs.iter().map(|r| r.text.as_str()).collect();
     let further = format!("{} more would help, too.", answer.further_repairs);
     repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));
@@ -106,6 +116,53 @@ fn facts(answer: &ExplainAnswer, core: &Core, title: &str) -> String {
         let _ = writeln!(text, "{claim}");
     }
     text
+}
+
+/// A set of many facts in its groups, each with its mark and its price.
+fn groups(answer: &ExplainAnswer, core: &Core, title: &str) -> String {
+    let mut text = format!("{}:\n", bold(title));
+    for (number, group) in (1..).zip(&core.groups) {
+        let _ = writeln!(
+            text,
+            "  {number} {}{}",
+            plain::text(&group.text),
+            mark(core, group)
+        );
+    }
+    let claim = facts_claim(&answer.question, answer.verdict, core);
+    let _ = writeln!(text, "{claim}");
+    text
+}
+
+/// How many facts a group has, whether they are needed, and what helps, with its price.
+fn mark(core: &Core, group: &FactGroup) -> String {
+    let mut marks = Vec::new();
+    let count = group.facts.len();
+    marks.extend((count > 1).then(|| format!("{count} facts")));
+    marks.extend(group.needed.then(|| "needed".to_owned()));
+    let fact = |place: u32| {
+        core.facts
+            .get(place as usize)
+            .map(|fact| fact.text.as_str())
+    };
+    let told = match (&group.price, group.helps) {
+        (Some(price), _) => {
+            let at_most = if price.proved { "" } else { "at most " };
+            let costs = price.costs;
+            let without = fact(price.fact).filter(|_| count > 1).unwrap_or("it");
+            Some(format!(
+                "without \"{without}\": makespan {at_most}{}, sum of costs {at_most}{}",
+                costs.makespan, costs.sum_of_costs
+            ))
+        }
+        (None, Helps::Yes) => Some("would help".to_owned()),
+        (None, Helps::No | Helps::Unknown) => None,
+    };
+    marks.extend(told.map(|told| plain::text(&told)));
+    if marks.is_empty() {
+        return String::new();
+    }
+    format!(" ({})", marks.join("; "))
 }
 
 /// The question and the verdict, with the reach of the claim.

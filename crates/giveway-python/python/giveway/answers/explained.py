@@ -45,6 +45,9 @@ class Explanation(Record):
     how: tuple[Literal["others", "other-way", "elsewhere", "free"], ...] = optional(default=())
     #: The robots that the other plan moves differently; who arrives later by most is the first.
     pays: tuple[dict[str, Any], ...] = optional(default=())
+    #: What sets of robots alone need, proved: for a question about a cost of the whole plan, or
+    #: where no small set of facts was found.
+    alone: tuple[dict[str, Any], ...] = optional(default=())
     since: int | None = optional()
     plan: Plan | None = optional()
     valid: bool | None = optional()

@@ -38,17 +38,17 @@ const fn turn(group: Group) -> u8 {
 
 /// A set of facts from which more and more are left out.
 pub(super) struct Shrinking<'a> {
-    instance: &'a Instance,
+    pub(super) instance: &'a Instance,
     deadline: Option<u32>,
     inquiry: &'a mut dyn Inquiry,
     pub(super) left_out: BTreeSet<Group>,
-    kept: BTreeSet<Group>,
+    pub(super) kept: BTreeSet<Group>,
     /// Plans that some variant had.
-    plans: Vec<Plan>,
+    pub(super) plans: Vec<Plan>,
     /// How far the whole instance is refuted: no set is smaller because it reaches less far.
     claim: Proved,
     /// How far the last refutation reaches.
-    reach: Proved,
+    pub(super) reach: Proved,
 }
 
 impl<'a> Shrinking<'a> {
@@ -83,6 +83,7 @@ impl<'a> Shrinking<'a> {
             minimal,
             reach: self.reach,
             helps: BTreeMap::new(),
+            prices: BTreeMap::new(),
             further: Vec::new(),
         }
     }
@@ -136,14 +137,14 @@ impl<'a> Shrinking<'a> {
     }
 
     /// Whether a fact is still to be tried: it says nothing where its agent is gone.
-    fn matters(&self, group: Group) -> bool {
+    pub(super) fn matters(&self, group: Group) -> bool {
         let gone = |&a: &usize| self.left_out.contains(&Group::Task(a));
         let tried = self.left_out.contains(&group) || self.kept.contains(&group);
         !tried && !group.agents().iter().any(gone)
     }
 
     /// Obstacles far from the agents first: they matter least.
-    fn sort_by_distance(&self, obstacles: &mut [Group]) {
+    pub(super) fn sort_by_distance(&self, obstacles: &mut [Group]) {
         let agents = self.instance.agents().iter().enumerate();
         let cells: Vec<Cell> = agents
             .filter(|&(a, _)| !self.left_out.contains(&Group::Task(a)))
@@ -181,7 +182,7 @@ impl<'a> Shrinking<'a> {
     }
 
     /// Leaves facts out if there is still no plan without them.
-    fn leave_out(&mut self, block: &[Group]) -> bool {
+    pub(super) fn leave_out(&mut self, block: &[Group]) -> bool {
         let mut less = self.left_out.clone();
         less.extend(block);
         match self.attempt(&less) {

@@ -6,6 +6,7 @@ mod contrast;
 mod few_states;
 mod fewest;
 mod further;
+mod growing;
 mod half_way;
 mod how;
 mod late;

@@ -34,6 +34,7 @@ fn plain(
         verdict: found,
         alternative,
         within: None,
+        alone: &[],
         witness: ("", &[]),
         core: None,
         repairs: &[],
@@ -61,6 +62,7 @@ fn scenario_1_is_told_as_a_person_would() {
         verdict: Verdict::Needless,
         alternative: Some(&other),
         within: None,
+        alone: &[],
         witness: ("A2", &entries),
         core: None,
         repairs: &[],
@@ -189,6 +191,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     let all = groups(&instance, &[], false);
     let facts = all.iter().take(2).map(|part| part.fact(&instance, None));
     let core = Core {
+        groups: Vec::new(),
         facts: facts.collect(),
         minimal: true,
         reach: Reach::unproved(None),
@@ -216,6 +219,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         verdict: Verdict::Necessary,
         alternative: None,
         within: Some(40),
+        alone: &[],
         witness: ("", &[]),
         core: Some(&core),
         repairs: &[repair],

@@ -58,6 +58,10 @@ fn clauses(core: &Core) -> String {
             clauses.push((together(group), group.len()));
         }
     }
+    if clauses.len() > CLAUSES && !core.groups.is_empty() {
+        let groups: Vec<&str> = core.groups.iter().map(|it| it.text.as_str()).collect();
+        return groups.join("; ");
+    }
     if clauses.len() <= CLAUSES {
         return clauses
             .into_iter()
@@ -75,7 +79,7 @@ fn clauses(core: &Core) -> String {
 }
 
 /// Facts of one kind as one clause.
-fn together(facts: &[&Fact]) -> String {
+pub(super) fn together(facts: &[&Fact]) -> String {
     let names: Vec<String> = facts.iter().map(|fact| and(&fact.agents)).collect();
     let list = || few(&names);
     let cells = || {
@@ -112,7 +116,7 @@ fn few(list: &[String]) -> String {
 }
 
 /// Cells, those in a row or a column as `(1, 0) to (9, 0)`.
-fn in_runs(cells: &[Cell]) -> String {
+pub(super) fn in_runs(cells: &[Cell]) -> String {
     let rows = runs(cells, |cell| (cell.y, cell.x));
     let columns = runs(cells, |cell| (cell.x, cell.y));
     let runs = if columns.len() < rows.len() {

@@ -3,10 +3,12 @@
 //! Reasons are data; whoever wants other words replaces this folder. A template
 //! a kind, each read as a person would say it.
 
+mod alone;
 mod contrast;
 mod costs;
 mod differences;
 mod facts;
+mod groups;
 mod heads;
 mod how;
 mod joined;
@@ -16,7 +18,9 @@ mod unsolvable;
 mod verdict;
 mod violations;
 
+pub use alone::alone_sentence;
 pub(crate) use facts::fact;
+pub(crate) use groups::fact_group;
 pub use heads::{facts_claim, facts_title, helps_mark, verdict_word, witness_title};
 pub use how::{how_of, how_sentence};
 pub(crate) use joined::because;

@@ -3,6 +3,7 @@
 use giveway_model::{Costs, Instance, Objective, Plan, Question, tr};
 
 use super::{
+    alone::alone,
     contrast::contrast,
     costs::instead as in_costs,
     differences::instead,
@@ -10,7 +11,7 @@ use super::{
     repairs::{led_to, phrase},
     violations::would,
 };
-use crate::explain::{Core, Edit, Repair, Verdict, WitnessEntry, whole::WholePlan};
+use crate::explain::{Core, Edit, Repair, SubsetBound, Verdict, WitnessEntry, whole::WholePlan};
 
 /// All that is known, as far as it is known.
 pub(crate) struct KnownSoFar<'a> {
@@ -30,6 +31,8 @@ pub(crate) struct KnownSoFar<'a> {
     /// The agent of the witness, and what it would run into.
     pub(crate) witness: (&'a str, &'a [WitnessEntry]),
     pub(crate) core: Option<&'a Core>,
+    /// What sets of agents alone need.
+    pub(crate) alone: &'a [SubsetBound],
     pub(crate) repairs: &'a [Repair],
 }
 
@@ -90,6 +93,7 @@ pub(crate) fn verdict(telling: &KnownSoFar) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
+        sentences.extend(alone(telling.alone, telling.core.is_some()));
         sentences.extend(because(telling.core, telling.verdict));
     }
     sentences.extend(help(telling.repairs));

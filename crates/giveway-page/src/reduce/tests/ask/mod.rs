@@ -83,6 +83,7 @@ fn told(state: &State) -> ExplainAnswer {
         repairs: vec![repair],
         further_repairs: 0,
         exhaustive: false,
+        alone: Vec::new(),
         valid: None,
         violations: None,
         optimal: None,

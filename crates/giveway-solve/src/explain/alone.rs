@@ -1,0 +1,34 @@
+//! What sets of agents alone need: bounds on what all agents need together.
+
+mod needs;
+mod tight;
+
+use borsh::{BorshDeserialize, BorshSerialize};
+use giveway_model::Cost;
+use serde::{Deserialize, Serialize};
+
+pub(crate) use tight::subset_bounds;
+
+/// What some agents alone need: with only these in the scene, no plan costs less. So the plans of
+/// all agents cost no less, either.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct SubsetBound {
+    /// The agents, in the instance's order.
+    pub agents: Vec<String>,
+    /// The cost.
+    pub cost: Cost,
+    /// What they need where each is alone: the most of one for the makespan, else the sum.
+    pub own: u32,
+    /// What they need together, proved.
+    pub least: u32,
+    /// What they have in the plan that is asked about, or in the other plan where that is what
+    /// costs more.
+    pub here: u32,
+}
+
+impl SubsetBound {
+    /// What they need beyond what each needs alone.
+    pub const fn lost(&self) -> u32 {
+        self.least.saturating_sub(self.own)
+    }
+}

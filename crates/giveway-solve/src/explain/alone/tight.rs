@@ -1,0 +1,271 @@
+//! The sets of agents whose own needs explain a cost: for the makespan a smallest set that needs
+//! as much, and what is left of it with fewer agents; for sums sets that share no agent.
+
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use giveway_model::{
+    Cost, Plan, Question,
+    check::{check, own_costs},
+    sorting::{set, sort_by_key},
+};
+
+use super::{SubsetBound, needs::Needs};
+use crate::{
+    budget::Budget,
+    explain::{
+        ExplainAnswer, Verdict,
+        ask::{names, walks},
+        causes::Refuted,
+        lone_walk::{lone_walk, replaced},
+        verdict::FittingQuestion,
+    },
+    problem::Problem,
+    walk::to_plan,
+};
+
+/// Sets that are told.
+const MOST_TOLD: usize = 7;
+/// Agents of a set.
+const MOST_AGENTS: usize = 5;
+
+/// What sets of agents alone need, where the answer is about a cost of all; `forcing` are agents
+/// that alone force it.
+pub(crate) fn subset_bounds(
+    case: &FittingQuestion,
+    refuted: Refuted,
+    answer: &ExplainAnswer,
+    forcing: Option<&BTreeSet<usize>>,
+    budget: &Rc<Budget>,
+) -> Vec<SubsetBound> {
+    let Some(cost) = deciding_cost(case, answer) else {
+        return Vec::new();
+    };
+    // Sums after a change would leave out what was paid before it.
+    if case.whole.is_rest() && cost != Cost::Makespan {
+        return Vec::new();
+    }
+    let other = answer.alternative.as_ref();
+    let here = other.filter(|_| answer.verdict == Verdict::Costly);
+    let here = here.unwrap_or(case.plan);
+    let Some(needs) = Needs::new(case, refuted, cost, budget) else {
+        return Vec::new();
+    };
+    let mut tightness = Tightness {
+        case,
+        needs,
+        here,
+        budget,
+    };
+    let sets = match (cost, forcing) {
+        (Cost::Makespan, Some(agents)) => tightness.downwards(agents),
+        (Cost::Makespan, None) => tightness.largest(),
+        (Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty, _) => {
+            tightness.disjoint()
+        }
+    };
+    sets.iter().filter_map(|it| tightness.bound(it)).collect()
+}
+
+/// The cost that decides: that of the question, or the first that grows.
+fn deciding_cost(case: &FittingQuestion, answer: &ExplainAnswer) -> Option<Cost> {
+    match case.question {
+        Question::Makespan => Some(Cost::Makespan),
+        Question::SumOfCosts => Some(Cost::SumOfCosts),
+        Question::Charges { agent: None } => Some(Cost::Charges),
+        Question::Moves { agent: None } => Some(Cost::Moves),
+        Question::Waits { agent: None } => Some(Cost::Waits),
+        _ if answer.verdict == Verdict::Costly => {
+            let costs = case.objective().costs().iter().copied();
+            let more = |cost: &Cost| answer.deltas.get(cost).is_some_and(|&more| more > 0);
+            costs.into_iter().find(more)
+        }
+        _ => None,
+    }
+}
+
+struct Tightness<'a, 'h> {
+    case: &'a FittingQuestion<'a>,
+    needs: Needs<'a, 'h>,
+    /// The plan that is told beside.
+    here: &'a Plan,
+    budget: &'a Rc<Budget<'h>>,
+}
+
+impl Tightness<'_, '_> {
+    fn bound(&mut self, agents: &BTreeSet<usize>) -> Option<SubsetBound> {
+        let instance = self.needs.instance();
+        let (own, least) = (self.needs.own(agents)?, self.needs.least(agents)?);
+        let names: Vec<String> = agents
+            .iter()
+            .filter_map(|&agent| Some(instance.agents().get(agent)?.name.clone()))
+            .collect();
+        let cost = self.needs.cost();
+        let own_cost = |name: &String| own_costs(instance, name, self.here).map(|it| it.get(cost));
+        let here = names.iter().filter_map(own_cost);
+        let whole = self.case.whole;
+        Some(match cost {
+            Cost::Makespan => SubsetBound {
+                own: whole.time(own),
+                least: whole.time(least),
+                here: whole.time(here.max().unwrap_or_default()),
+                agents: names,
+                cost,
+            },
+            Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
+                SubsetBound {
+                    here: here.fold(0, u32::saturating_add),
+                    agents: names,
+                    cost,
+                    own,
+                    least,
+                }
+            }
+        })
+    }
+
+    /// A set, then with one agent less each time the set that needs most, down to one.
+    fn downwards(&mut self, agents: &BTreeSet<usize>) -> Vec<BTreeSet<usize>> {
+        let mut sets = vec![agents.clone()];
+        let mut now = agents.clone();
+        while now.len() > 1 {
+            let smaller: Vec<BTreeSet<usize>> = now
+                .iter()
+                .map(|agent| now.iter().copied().filter(|it| it != agent).collect())
+                .collect();
+            let mut best: Option<(u32, BTreeSet<usize>)> = None;
+            for set in smaller {
+                if let Some(least) = self.needs.least(&set)
+                    && best.as_ref().is_none_or(|(most, _)| least > *most)
+                {
+                    best = Some((least, set));
+                }
+            }
+            let Some((_, set)) = best else { break };
+            sets.push(set.clone());
+            now = set;
+        }
+        sets
+    }
+
+    /// The agent that needs most alone, grown by those that make it need more.
+    fn largest(&mut self) -> Vec<BTreeSet<usize>> {
+        let all: Vec<usize> = (0..self.needs.instance().agents().len()).collect();
+        let least = |it: &usize| self.needs.least(&BTreeSet::from([*it])).unwrap_or(0);
+        let first = all.iter().rev().copied().max_by_key(least);
+        let Some(first) = first else {
+            return Vec::new();
+        };
+        let meetings = self.meetings();
+        let grown = self.grown(BTreeSet::from([first]), &meetings, &BTreeSet::new());
+        self.downwards(&grown)
+    }
+
+    /// Sets that share no agent, each grown along the meetings while it loses more; the set that
+    /// loses most first.
+    fn disjoint(&mut self) -> Vec<BTreeSet<usize>> {
+        let meetings = self.meetings();
+        let mut pairs: Vec<(u32, BTreeSet<usize>)> = Vec::new();
+        for pair in meetings.keys() {
+            let lost = self.lost(pair);
+            pairs.extend((lost > 0).then(|| (lost, pair.clone())));
+        }
+        sort_by_key(&mut pairs, |(lost, pair)| (Reverse(*lost), pair.clone()));
+        let (mut sets, mut used) = (Vec::new(), BTreeSet::new());
+        for (_, pair) in pairs {
+            if sets.len() < MOST_TOLD && pair.is_disjoint(&used) {
+                let grown = self.grown(pair, &meetings, &used);
+                used.extend(grown.iter().copied());
+                sets.push(grown);
+            }
+        }
+        let mut sets: Vec<(u32, BTreeSet<usize>)> =
+            sets.into_iter().map(|it| (self.lost(&it), it)).collect();
+        sort_by_key(&mut sets, |(lost, set)| (Reverse(*lost), set.clone()));
+        sets.into_iter().map(|(_, set)| set).collect()
+    }
+
+    /// A set with further agents that make it lose more.
+    fn grown(
+        &mut self,
+        mut agents: BTreeSet<usize>,
+        meetings: &BTreeMap<BTreeSet<usize>, u32>,
+        used: &BTreeSet<usize>,
+    ) -> BTreeSet<usize> {
+        while agents.len() < MOST_AGENTS {
+            let near = meetings.keys().filter(|pair| !pair.is_disjoint(&agents));
+            let near = set(near.flatten().copied());
+            let now = self.value(&agents);
+            let mut best: Option<(u32, usize)> = None;
+            for agent in near {
+                if agents.contains(&agent) || used.contains(&agent) {
+                    continue;
+                }
+                let mut larger = agents.clone();
+                larger.insert(agent);
+                let value = self.value(&larger);
+                if value > now && best.is_none_or(|(most, _)| value > most) {
+                    best = Some((value, agent));
+                }
+            }
+            let Some((_, agent)) = best else { break };
+            agents.insert(agent);
+        }
+        agents
+    }
+
+    /// What a set is grown for.
+    fn value(&mut self, agents: &BTreeSet<usize>) -> u32 {
+        match self.needs.cost() {
+            Cost::Makespan => self.needs.least(agents).unwrap_or(0),
+            Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
+                self.lost(agents)
+            }
+        }
+    }
+
+    /// What a set loses beyond what each needs alone; 0 where that is not known.
+    fn lost(&mut self, agents: &BTreeSet<usize>) -> u32 {
+        let own = self.needs.own(agents);
+        let lost = self.needs.least(agents).zip(own);
+        lost.map_or(0, |(least, own)| least.saturating_sub(own))
+    }
+
+    /// The pairs that would meet if one of them took its best way alone, the others as in the plan,
+    /// and how often.
+    fn meetings(&self) -> BTreeMap<BTreeSet<usize>, u32> {
+        let mut meetings = BTreeMap::new();
+        let instance = self.needs.instance();
+        let Ok(problem) = Problem::new(instance, self.budget) else {
+            return meetings;
+        };
+        let Some(mut walks) = walks(instance, &problem, self.here) else {
+            return meetings;
+        };
+        let names = names(instance);
+        let latest = problem.default_horizon(instance.grid());
+        for (agent, name) in names.iter().enumerate() {
+            let Ok(Some(lone)) = lone_walk(&problem, &walks, (agent, latest), self.budget) else {
+                continue;
+            };
+            let Some(own) = walks.get_mut(agent) else {
+                continue;
+            };
+            let own = std::mem::replace(own, lone);
+            let plan = replaced(self.here, name, &to_plan(&problem, &names, &walks));
+            if let Some(walk) = walks.get_mut(agent) {
+                *walk = own;
+            }
+            for violation in check(instance, &plan).violations {
+                let numbers = violation.agents.iter();
+                let numbers = numbers.filter_map(|name| names.iter().position(|it| it == name));
+                let met: BTreeSet<usize> = set(numbers);
+                if met.len() == 2 {
+                    *meetings.entry(met).or_default() += 1;
+                }
+            }
+        }
+        meetings
+    }
+}
