@@ -403,7 +403,7 @@ export interface FactGroup {
   /** By their places in the set, from 0. */
   facts: number[];
   text: string;
-  /** Whether it is shown that each of its facts is needed in the set. */
+  /** Whether it is shown that the group is needed in the set: without it there is a plan. */
   needed: boolean;
   /** Whether leaving out one of its facts alone helps; null where it is not known. */
   helps: boolean | null;

@@ -87,7 +87,7 @@ pub(crate) fn mark_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
         Group::Collision(..) => 7,
     });
     for group in groups.into_iter().take(MOST_MARKED) {
-        let helps = leave_out(refuted, group, inquiry);
+        let helps = leave_out(refuted, group, inquiry, false);
         core.helps.insert(group, helps);
     }
 }
@@ -123,22 +123,23 @@ struct Trials<'a> {
 impl Trials<'_> {
     fn mark(&mut self, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
         for &group in &core.groups {
-            let trial = || leave_out(self.refuted, group, inquiry);
+            let trial = || leave_out(self.refuted, group, inquiry, true);
             let helps = *self.known.entry(group).or_insert_with(trial);
             core.helps.insert(group, helps);
         }
     }
 }
 
-/// Whether the whole instance without one fact has a plan.
-fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry) -> Helps {
+/// Whether the whole instance without one fact has a plan; `again` where a search that was cut
+/// off is made again with more work.
+fn leave_out(refuted: &Refuted, group: Group, inquiry: &mut dyn Inquiry, again: bool) -> Helps {
     if inquiry.is_over() {
         return Helps::Unknown;
     }
     let left_out = BTreeSet::from([group]);
     let variant = without(refuted.instance, &left_out, refuted.deadline);
     let mut tried = inquiry.search(&variant).reaching(&variant, refuted.reach);
-    if matches!(tried, Tried::Unknown) && !inquiry.is_over() {
+    if again && matches!(tried, Tried::Unknown) && !inquiry.is_over() {
         tried = inquiry
             .search_again(&variant)
             .reaching(&variant, refuted.reach);

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     answer::{Core, Helps},
     group::Group,
+    group_mus::CoreFound,
 };
 use parts::Parts;
 
@@ -68,7 +69,7 @@ pub struct FactGroup {
     pub facts: Vec<u32>,
     /// The group as a phrase for people.
     pub text: String,
-    /// Whether it is shown that each of its facts is needed in the set.
+    /// Whether it is shown that the group is needed in the set: without it there is a plan.
     pub needed: bool,
     /// Whether leaving out one of its facts alone helps.
     pub helps: Helps,
@@ -91,30 +92,22 @@ pub struct FactPrice {
 /// Costs without some facts, each alone, and whether they are proved least.
 pub(crate) type Prices = BTreeMap<Group, (Costs, bool)>;
 
-/// The facts of a set in groups, the deciding one first; none where there are few facts.
-/// `groups` are the facts of the core, in their order.
-pub(crate) fn fact_groups(
-    instance: &Instance,
-    groups: &[Group],
-    core: &Core,
-    prices: &Prices,
-) -> Vec<FactGroup> {
-    if groups.len() <= FEW_FACTS || groups.len() != core.facts.len() {
+/// The facts of a set in groups, the deciding one first; none where there are few facts. `core`
+/// has the facts for people.
+pub(crate) fn fact_groups(instance: &Instance, found: &CoreFound, core: &Core) -> Vec<FactGroup> {
+    if found.groups.len() <= FEW_FACTS || found.groups.len() != core.facts.len() {
         return Vec::new();
     }
-    let mut parts = Parts::new(instance, groups);
+    let mut parts = Parts::new(instance, &found.groups);
     parts.merge();
+    let parts = parts.parts.iter();
     let mut told: Vec<FactGroup> = parts
-        .parts
-        .iter()
-        .map(|part| part.group(instance, groups, core, prices))
+        .map(|part| part.group(instance, found, core))
         .collect();
     let objective = instance.objective();
     sort_by_key(&mut told, |group| {
-        let price = group
-            .price
-            .as_ref()
-            .map(|price| price.costs.vector(objective));
+        let price = group.price.as_ref();
+        let price = price.map(|price| price.costs.vector(objective));
         let facts = Reverse(group.facts.len());
         (
             group.helps != Helps::Yes,

@@ -74,6 +74,9 @@ pub(crate) struct CoreFound {
     pub(crate) helps: BTreeMap<Group, Helps>,
     /// What the whole instance costs without some of them, each alone.
     pub(crate) prices: Prices,
+    /// Facts that are needed: with only the others of the set, or only those outside of their
+    /// shelf block, there is a plan.
+    pub(crate) needed: BTreeSet<Group>,
     /// Further sets.
     pub(crate) further: Vec<Self>,
 }
@@ -93,7 +96,7 @@ impl CoreFound {
             reach: self.reach.into(),
             further: further.map(|core| core.core(instance, within)).collect(),
         };
-        core.groups = fact_groups(instance, &self.groups, &core, &self.prices);
+        core.groups = fact_groups(instance, self, &core);
         core
     }
 
@@ -145,8 +148,8 @@ pub(crate) fn group_mus_of_rules(
     shrinking.minimal_set(refuted.asked)
 }
 
-/// The same of agents that alone exclude a plan. Obstacles are first left out by whole shelf
-/// blocks.
+/// The same of agents that alone exclude a plan. Of many obstacles whole shelf blocks are left
+/// out or kept.
 pub(crate) fn group_mus_of_agents(
     refuted: &Refuted,
     forcing: ForcingSet,
@@ -154,8 +157,7 @@ pub(crate) fn group_mus_of_agents(
 ) -> CoreFound {
     let mut shrinking = Shrinking::new(refuted, inquiry);
     shrinking.begin_with(refuted, forcing);
-    shrinking.leave_out_blocks();
-    shrinking.minimal_set(refuted.asked)
+    shrinking.minimal_units(refuted.asked)
 }
 
 /// The rules of the scene's own in such a set, by their numbers.

@@ -12,7 +12,7 @@ use crate::{
         ask::{Ask, best},
         causes::Refuted,
         growing::only,
-        unsolvable::one_search,
+        unsolvable::further_search,
         verdict::FittingQuestion,
     },
     impose::bearer,
@@ -61,6 +61,11 @@ impl<'a, 'h> Needs<'a, 'h> {
             budget,
             known: BTreeMap::new(),
         })
+    }
+
+    /// Takes over what is proved of a set.
+    pub(super) fn know(&mut self, agents: &BTreeSet<usize>, least: u32) {
+        self.known.insert(agents.clone(), Some(least));
     }
 
     pub(super) const fn cost(&self) -> Cost {
@@ -113,7 +118,7 @@ impl<'a, 'h> Needs<'a, 'h> {
         }
         let mut least: Option<u32> = None;
         for conditions in ways {
-            let part = one_search(self.budget);
+            let part = further_search(self.budget);
             let found = best(
                 &Ask {
                     instance: &variant.instance,

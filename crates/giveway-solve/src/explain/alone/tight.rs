@@ -125,11 +125,21 @@ impl Tightness<'_, '_> {
         })
     }
 
-    /// A set, then with one agent less each time the set that needs most, down to one.
+    /// A set, then with one agent less each time the set that needs most, down to the agent that
+    /// needs most of all.
     fn downwards(&mut self, agents: &BTreeSet<usize>) -> Vec<BTreeSet<usize>> {
+        if *self.case.question == Question::Makespan {
+            // They cannot be done sooner, and are done by then in the plan.
+            self.needs.know(agents, self.case.costs.makespan);
+        }
+        self.downwards_of(agents)
+    }
+
+    /// The same, where nothing is known of the set.
+    fn downwards_of(&mut self, agents: &BTreeSet<usize>) -> Vec<BTreeSet<usize>> {
         let mut sets = vec![agents.clone()];
         let mut now = agents.clone();
-        while now.len() > 1 {
+        while now.len() > 2 {
             let smaller: Vec<BTreeSet<usize>> = now
                 .iter()
                 .map(|agent| now.iter().copied().filter(|it| it != agent).collect())
@@ -146,20 +156,27 @@ impl Tightness<'_, '_> {
             sets.push(set.clone());
             now = set;
         }
+        let slowest = self.slowest().filter(|_| agents.len() > 1);
+        sets.extend(slowest.map(|agent| BTreeSet::from([agent])));
         sets
+    }
+
+    /// The agent that needs most alone.
+    fn slowest(&mut self) -> Option<usize> {
+        let all = 0..self.needs.instance().agents().len();
+        let least = |it: &usize| self.needs.least(&BTreeSet::from([*it])).unwrap_or(0);
+        all.rev().max_by_key(least)
     }
 
     /// The agent that needs most alone, grown by those that make it need more.
     fn largest(&mut self) -> Vec<BTreeSet<usize>> {
-        let all: Vec<usize> = (0..self.needs.instance().agents().len()).collect();
-        let least = |it: &usize| self.needs.least(&BTreeSet::from([*it])).unwrap_or(0);
-        let first = all.iter().rev().copied().max_by_key(least);
+        let first = self.slowest();
         let Some(first) = first else {
             return Vec::new();
         };
         let meetings = self.meetings();
         let grown = self.grown(BTreeSet::from([first]), &meetings, &BTreeSet::new());
-        self.downwards(&grown)
+        self.downwards_of(&grown)
     }
 
     /// Sets that share no agent, each grown along the meetings while it loses more; the set that

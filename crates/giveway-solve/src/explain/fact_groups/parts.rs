@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cell, Instance};
 
-use super::{FactGroup, FactGroupKind, FactPrice, MOST_GROUPS, Prices};
+use super::{FactGroup, FactGroupKind, FactPrice, MOST_GROUPS};
 use crate::explain::{
     answer::{Core, FactKind, Helps},
     group::Group,
+    group_mus::CoreFound,
     shelves::{aisles, shelf_blocks},
     words,
 };
@@ -138,13 +139,7 @@ impl Parts {
 }
 
 impl Part {
-    pub(super) fn group(
-        &self,
-        instance: &Instance,
-        groups: &[Group],
-        core: &Core,
-        prices: &Prices,
-    ) -> FactGroup {
+    pub(super) fn group(&self, instance: &Instance, found: &CoreFound, core: &Core) -> FactGroup {
         let facts: Vec<_> = self
             .facts
             .iter()
@@ -160,7 +155,7 @@ impl Part {
         let obstacles: Vec<Cell> = obstacles.filter_map(|fact| fact.cell).collect();
         let has = |helps| facts.iter().any(|fact| fact.helps == helps);
         let priced = self.facts.iter().filter_map(|&place| {
-            let (costs, proved) = *prices.get(groups.get(place)?)?;
+            let (costs, proved) = *found.prices.get(found.groups.get(place)?)?;
             let fact = place as u32;
             Some(FactPrice {
                 fact,
@@ -168,6 +163,10 @@ impl Part {
                 proved,
             })
         });
+        let is_needed = |&place: &usize| {
+            let fact = found.groups.get(place);
+            fact.is_some_and(|fact| found.needed.contains(fact))
+        };
         let objective = instance.objective();
         FactGroup {
             kind: self.kind,
@@ -179,7 +178,7 @@ impl Part {
                 self.aisle.clone()
             },
             facts: self.facts.iter().map(|&place| place as u32).collect(),
-            needed: core.minimal,
+            needed: core.minimal || self.facts.iter().any(is_needed),
             helps: if has(Helps::Yes) {
                 Helps::Yes
             } else if has(Helps::Unknown) {

@@ -20,7 +20,7 @@ use crate::{
 const KNOWN: usize = 12;
 
 /// When the class of a fact is tried: without agents everything else is quickly tried.
-const fn turn(group: Group) -> u8 {
+pub(super) const fn turn(group: Group) -> u8 {
     match group {
         Group::Task(_) => 0,
         Group::Waypoint(..) => 1,
@@ -39,10 +39,12 @@ const fn turn(group: Group) -> u8 {
 /// A set of facts from which more and more are left out.
 pub(super) struct Shrinking<'a> {
     pub(super) instance: &'a Instance,
-    deadline: Option<u32>,
+    pub(super) deadline: Option<u32>,
     inquiry: &'a mut dyn Inquiry,
     pub(super) left_out: BTreeSet<Group>,
     pub(super) kept: BTreeSet<Group>,
+    /// Facts that are needed for sure, alone or with all of their shelf block.
+    pub(super) shown: BTreeSet<Group>,
     /// Plans that some variant had.
     pub(super) plans: Vec<Plan>,
     /// How far the whole instance is refuted: no set is smaller because it reaches less far.
@@ -59,6 +61,7 @@ impl<'a> Shrinking<'a> {
             inquiry,
             left_out: BTreeSet::new(),
             kept: BTreeSet::new(),
+            shown: BTreeSet::new(),
             plans: Vec::new(),
             claim: refuted.reach,
             reach: refuted.reach,
@@ -84,6 +87,7 @@ impl<'a> Shrinking<'a> {
             reach: self.reach,
             helps: BTreeMap::new(),
             prices: BTreeMap::new(),
+            needed: BTreeSet::new(),
             further: Vec::new(),
         }
     }
@@ -210,7 +214,7 @@ impl<'a> Shrinking<'a> {
         tried
     }
 
-    fn attempt(&mut self, left_out: &BTreeSet<Group>) -> Tried {
+    pub(super) fn attempt(&mut self, left_out: &BTreeSet<Group>) -> Tried {
         if self.inquiry.is_over() {
             return Tried::Unknown;
         }
