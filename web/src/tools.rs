@@ -72,7 +72,7 @@ pub fn Tools(props: &ToolsProps) -> Html {
         };
         html! {
             <>
-                if matches!(tool, Tool::Obstacle | Tool::Agent) {
+                if matches!(tool, Tool::Obstacle | Tool::Zone | Tool::Agent) {
                     <i class="sep"></i>
                 }
                 <button class="tool" ref={buttons[index].clone()} {onclick}

@@ -17,6 +17,7 @@ use crate::lesson::LessonAction;
 use crate::link::Linked;
 use crate::planners::By;
 use crate::present::Presenting;
+use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
@@ -56,6 +57,8 @@ pub enum Action {
     Intake(IntakeAction),
     /// The plan plays.
     Play(PlayAction),
+    /// Rules of the scene's own.
+    Rules(RuleAction),
     /// What is shown and how.
     View(ViewAction),
     /// The page has something to say by itself, or was heard.
@@ -144,6 +147,16 @@ pub enum BoardAction {
     UseTool,
     /// The pointer went down on a cell.
     Press(Cell),
+    /// The pointer went down on a cell, or a key applied the tool, in another way: that
+    /// of the tools which mark cells for rules.
+    Mark {
+        /// The cell.
+        cell: Cell,
+        /// Whether it takes cells away.
+        takes: bool,
+        /// Whether it draws a rectangle.
+        is_rect: bool,
+    },
     /// The pointer went on through cells, all since the last frame.
     Drag(Vec<Cell>),
     /// The pointer was lifted.

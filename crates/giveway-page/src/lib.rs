@@ -53,6 +53,7 @@ mod problems;
 pub mod proof;
 mod reduce;
 mod reserve;
+pub mod rules;
 #[cfg(test)]
 mod sample;
 mod settings;
@@ -77,7 +78,7 @@ pub use answer::Answer;
 pub use asking::{Asking, Lit};
 pub use document::Document;
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
-pub use edit::{DENSEST, Edit, Fill, Paint};
+pub use edit::{DENSEST, Edit, Fill, Paint, RuleEdit};
 pub use gesture::Placing;
 pub use giveway_picture::gif::Shot;
 pub use giveway_picture::{COLOURS, Colours, Looks, Point, Theme as DrawnTheme, form, position};

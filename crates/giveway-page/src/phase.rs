@@ -48,7 +48,7 @@ impl State {
             Some(Task::Certify(_) | Task::Export(_)) => return Phase::Checking,
             Some(Task::Freedom(_)) => return Phase::Counting,
             Some(Task::Change(_)) => return Phase::Adapting,
-            Some(Task::Look(_)) | None => {}
+            Some(Task::Look(_) | Task::Price(..)) | None => {}
         }
         match self.document.mode.activity {
             Activity::Changing(_) => return Phase::Changing,

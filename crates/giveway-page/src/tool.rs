@@ -18,6 +18,10 @@ pub enum Tool {
     SlowZone,
     /// Takes away what is on cells.
     Erase,
+    /// Marks cells as a zone, for rules of the scene's own.
+    Zone,
+    /// Leads a one-way lane along cells.
+    OneWay,
     /// Places agents with their goals.
     Agent,
     /// Gives the selected agent another goal.
@@ -28,12 +32,14 @@ pub enum Tool {
 
 impl Tool {
     /// All tools, in the order of the toolbar.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Select,
         Self::Obstacle,
         Self::Charger,
         Self::SlowZone,
         Self::Erase,
+        Self::Zone,
+        Self::OneWay,
         Self::Agent,
         Self::Goal,
         Self::Waypoint,
@@ -47,6 +53,8 @@ impl Tool {
             Self::Charger => tr!("Charger"),
             Self::SlowZone => tr!("Slow zone"),
             Self::Erase => tr!("Erase"),
+            Self::Zone => tr!("a tool" => "Zone"),
+            Self::OneWay => tr!("a tool" => "One-way"),
             Self::Agent => tr!("Robot"),
             Self::Goal => tr!("Goal"),
             Self::Waypoint => tr!("Waypoint"),
@@ -61,6 +69,8 @@ impl Tool {
             Self::Charger => 'c',
             Self::SlowZone => 's',
             Self::Erase => 'e',
+            Self::Zone => 'z',
+            Self::OneWay => 'r',
             Self::Agent => 'a',
             Self::Goal => 'g',
             Self::Waypoint => 'w',
@@ -75,6 +85,8 @@ impl Tool {
             Self::Charger => "charger",
             Self::SlowZone => "slow",
             Self::Erase => "erase",
+            Self::Zone => "zone",
+            Self::OneWay => "one-way",
             Self::Agent => "agent",
             Self::Goal => "goal",
             Self::Waypoint => "waypoint",
@@ -87,8 +99,19 @@ impl Tool {
             Self::Obstacle => Some(Paint::Obstacle),
             Self::Charger => Some(Paint::Charger),
             Self::SlowZone => Some(Paint::Slow),
-            _ => None,
+            Self::Select
+            | Self::Erase
+            | Self::Zone
+            | Self::OneWay
+            | Self::Agent
+            | Self::Goal
+            | Self::Waypoint => None,
         }
+    }
+
+    /// Whether it is about rules of the scene's own.
+    pub const fn is_of_rules(self) -> bool {
+        matches!(self, Self::Zone | Self::OneWay)
     }
 
     /// Whether it acts on agents, so that it begins where they begin.

@@ -8,6 +8,7 @@ use crate::freedom::Overlay;
 use crate::gesture::Gesture;
 use crate::planners::By;
 use crate::present::Presenting;
+use crate::rules::RulesView;
 use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
 
@@ -101,6 +102,8 @@ pub struct View {
     pub(crate) conflict: Option<usize>,
     /// Whose plan is to be shown beside the one on the board.
     pub(crate) versus: Option<By>,
+    /// What is shown and written of the scene's own rules.
+    pub(crate) rules: RulesView,
     /// What is laid over the plan: what must be so.
     pub(crate) overlay: Overlay,
     /// Whether the plan table is open.
@@ -134,6 +137,7 @@ impl Default for View {
             sought: None,
             conflict: None,
             versus: None,
+            rules: RulesView::default(),
             overlay: Overlay::default(),
             table: true,
             theme: Theme::System,

@@ -8,6 +8,7 @@ use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::price::PriceRequest;
 use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest};
 
@@ -50,6 +51,8 @@ pub enum Task {
     Look(Looking),
     /// What all best plans share is looked for; what is known stands in the document.
     Freedom(Rc<FreedomRequest>),
+    /// What each rule costs is looked for; what is known stands beside the document.
+    Price(Rc<Draft>, Rc<PriceRequest>),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -232,6 +235,7 @@ impl Task {
             Self::Change(run) => Request::Change((*run.request).clone()),
             Self::Look(looking) => looking.request(),
             Self::Freedom(request) => Request::Freedom((**request).clone()),
+            Self::Price(_, request) => Request::Price((**request).clone()),
         }
     }
 
@@ -256,6 +260,11 @@ impl Task {
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
             }
             Self::Freedom(request) => Certifies::Freedom(Rc::clone(request)).is_in(document),
+            Self::Price(draft, request) => {
+                Rc::ptr_eq(draft, &document.draft)
+                    && request.within == document.within
+                    && document.mode.is_editing()
+            }
         }
     }
 }

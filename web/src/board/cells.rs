@@ -44,6 +44,7 @@ impl PartialEq for CellsProps {
 #[component]
 pub(super) fn Cells(props: &CellsProps) -> Html {
     let names = CellNames::new(&props.cast, props.time, props.draft.problems());
+    let names = names.ruled(props.draft.scene(), props.time, &props.window);
     let names = names.noting(&props.notes);
     let selected = selected(props);
     let row = |y: u32| {

@@ -36,11 +36,19 @@ pub(super) fn use_cursor_keys(
     }
     let send = send.clone();
     Callback::from(move |event: KeyboardEvent| {
-        if event.alt_key() || event.meta_key() {
+        let (key, ctrl) = (event.key(), event.ctrl_key());
+        let takes = event.alt_key() && key == " ";
+        if (event.alt_key() && !takes) || event.meta_key() {
             return;
         }
-        let (key, ctrl) = (event.key(), event.ctrl_key());
-        let action = if !ctrl && matches!(key.as_str(), "Enter" | " ") {
+        let action = if takes {
+            send.emit(Action::Board(BoardAction::Mark {
+                cell: cursor,
+                takes,
+                is_rect: false,
+            }));
+            Some(Action::Board(BoardAction::Release))
+        } else if !ctrl && matches!(key.as_str(), "Enter" | " ") {
             (!event.repeat()).then_some(Action::Board(BoardAction::UseTool))
         } else if let Some(by) = goes_by(&key, ctrl, rows.max(PAGE)) {
             follows.set(true);

@@ -15,6 +15,7 @@ use super::floor::FloorShapes;
 use super::freedom;
 use super::inside::InsideFloor;
 use super::marks::Marks;
+use super::rules;
 use super::viewport::Sight;
 use super::ways::Ways;
 use crate::Shown;
@@ -68,12 +69,14 @@ pub(super) fn layers(
     html! {
         <>
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
+            { rules::layer(state, world, false) }
             { part::<InsideFloor>(InsideProps { overlay: overlay.clone() }) }
             if is_laid_over {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails && !is_proof {
                 { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still: None }) }
             }
+            { rules::layer(state, world, true) }
             { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
             { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, still: None }) }
             if detail == Detail::All {

@@ -28,6 +28,7 @@ mod paper;
 mod picture;
 mod preview;
 mod reasons;
+mod rules;
 mod small;
 mod still;
 mod thumb;

@@ -5,7 +5,7 @@ use giveway_page::inspect::{CellFacts, Pass};
 use giveway_page::{Action, BoardAction, PlayAction, Selection};
 use yew::prelude::*;
 
-use super::{back, in_draft};
+use super::{back, in_draft, rules};
 use crate::{Shown, glyph, icon};
 
 /// The most lines of who passes.
@@ -25,6 +25,9 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
                 <ul class="choices">
                     { for facts.roles.iter().map(|(agent, role)| show_role(*agent, role, send)) }
                 </ul>
+            }
+            if !facts.zones.is_empty() {
+                <p class="zones">{ tr!("Zones") }{ " " }{ for facts.zones.iter().map(|zone| rules::zone_button(zone, false, send)) }</p>
             }
             if let Some(passes) = &facts.passes {
                 <section>

@@ -13,6 +13,8 @@ mod inside;
 mod planners;
 mod proof;
 mod questions;
+mod rule_card;
+mod rules;
 mod steer;
 mod whole;
 
@@ -64,6 +66,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 // Where no button is in it, the keyboard scrolls the place itself.
                 <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
                 { inside::foot(&column, send) }
+            } else if let Some(card) = giveway_page::rules::card(state) {
+                <div class="scroll" key="rule">{ rule_card::show(&card, send) }</div>
+                { rule_card::foot(&card, send) }
             } else if let Some(card) = ask::card(state) {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }

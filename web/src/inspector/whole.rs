@@ -9,7 +9,7 @@ use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
-use super::{audit, change, edit, freedom, front, planners, proof};
+use super::{audit, change, edit, freedom, front, planners, proof, rules};
 use crate::part::part;
 use crate::{Shown, glyph, icon};
 
@@ -44,6 +44,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { freedom::begin(state, send) }
                 </section>
             }
+            { rules::show(state, send) }
             { planners::show(state, send) }
             { change::history(&past, false) }
             { front::show(state, send) }

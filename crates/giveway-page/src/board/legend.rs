@@ -50,6 +50,14 @@ pub enum Kind {
     Price,
     /// How late a robot may be.
     Late,
+    /// A zone.
+    Zone,
+    /// At most so many robots in a zone.
+    AtMost,
+    /// A zone that is closed at the time shown.
+    Closed,
+    /// A one-way lane.
+    OneWay,
 }
 
 impl Kind {
@@ -77,6 +85,10 @@ impl Kind {
             Self::Unsure => tr!("Not known"),
             Self::Price => tr!("Closing this cell costs so much"),
             Self::Late => tr!("May be late"),
+            Self::Zone => tr!("a sign on the board" => "Zone"),
+            Self::AtMost => tr!("At most this many"),
+            Self::Closed => tr!("Closed now"),
+            Self::OneWay => tr!("One way"),
         }
     }
 
@@ -111,6 +123,10 @@ impl Kind {
             Self::Unsure => "k-unsure",
             Self::Price => "k-price",
             Self::Late => "k-late",
+            Self::Zone => "k-zone",
+            Self::AtMost => "k-most",
+            Self::Closed => "k-shut",
+            Self::OneWay => "k-way",
         }
     }
 }
@@ -128,6 +144,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
     let problems = state.document.draft.problems();
     let reasons = super::reasons(state);
+    let [zone, most, closed, lane] = super::rules::signs(state);
     let signs = [
         (
             Kind::Problem,
@@ -142,6 +159,10 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::Broken, cast.tracks.iter().any(Track::has_breakdowns)),
         (Kind::Charger, has_ground(Ground::is_charger)),
         (Kind::Slow, has_ground(Ground::is_slow)),
+        (Kind::Zone, zone),
+        (Kind::AtMost, most),
+        (Kind::Closed, closed),
+        (Kind::OneWay, lane),
         (Kind::Goal, has_mark(MarkKind::Goal)),
         (Kind::Waypoint, has_mark(MarkKind::Waypoint)),
         (Kind::Ahead, state.view.layers.trails && moves),

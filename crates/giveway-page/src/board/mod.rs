@@ -11,6 +11,7 @@ mod minimap;
 mod names;
 mod place;
 mod reasons;
+mod rules;
 mod shade;
 mod star;
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub(crate) use place::place_of;
 pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
+pub use rules::{LaneShape, RuleShapes, SignKind, TagShape, ZoneShape, now, rule_shapes};
 pub(crate) use shade::shade;
 pub(crate) use star::middle;
 pub use star::{ConflictPlace, Star};

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cell, Grid, Ground, tr};
+use giveway_model::constraint::ConstraintKind;
+use giveway_model::{Cell, Grid, Ground, Scene, tr};
 
 use super::{Badge, Cast, Frame, Track};
 use crate::Problem;
+use crate::rules::zone_of;
 
 /// The most cells a side that have a name at once.
 const SIDE: u32 = 32;
@@ -136,6 +138,41 @@ impl CellNames {
     pub fn noting(self, notes: &[(Cell, String)]) -> Self {
         let notes = notes.to_vec();
         Self { notes, ..self }
+    }
+
+    /// The same with the rules of the scene's own, of the cells in a window.
+    #[must_use]
+    pub fn ruled(mut self, scene: &Scene, time: u32, window: &Window) -> Self {
+        let holds = super::now(scene, time);
+        let is_seen =
+            |cell: &Cell| window.rows().contains(&cell.y) && window.columns().contains(&cell.x);
+        for zone in &scene.zones {
+            let rules = scene.constraints.iter().zip(&holds);
+            let is_closed = rules.into_iter().any(|(rule, &holds)| {
+                let is_it = matches!(rule.kind, ConstraintKind::Closed { .. });
+                holds && is_it && zone_of(&rule.kind) == Some(&zone.name)
+            });
+            for cell in zone.cells().filter(is_seen) {
+                self.add(
+                    cell,
+                    if is_closed {
+                        tr!("{zone}, closed now", zone = zone.name)
+                    } else {
+                        tr!("what a cell is part of" => "zone {zone}", zone = zone.name)
+                    },
+                );
+            }
+        }
+        for rule in scene.constraints.iter().filter(|rule| !rule.off) {
+            if let ConstraintKind::OneWay { lane } = &rule.kind {
+                for step in lane.windows(2) {
+                    if let [from, to] = step {
+                        self.add(*from, tr!("one way to {cell}", cell = to));
+                    }
+                }
+            }
+        }
+        self
     }
 
     fn add(&mut self, cell: Cell, part: String) {

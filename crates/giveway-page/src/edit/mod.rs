@@ -6,11 +6,12 @@
 
 mod fill;
 mod repair;
+mod rules;
 mod scene;
 mod sketch;
 pub(crate) mod world;
 
-use giveway_model::{Agent, AtGoal, Battery, Cell, Objective};
+use giveway_model::{Agent, AtGoal, Battery, Cell, Constraint, Objective};
 
 pub use fill::{DENSEST, Fill};
 pub(crate) use repair::repair;
@@ -80,8 +81,32 @@ pub enum Edit {
     Within(Option<u32>),
     /// A rule of the scene's own, by its index, asks for less.
     WeakenRule(usize, Weaker),
+    /// Zones and rules of the scene's own.
+    Rules(RuleEdit),
     /// Gives an agent, by its index, one of the colours.
     Recolour(usize, usize),
+}
+
+/// An edit of zones and of rules of the scene's own. Rules are told by their index, zones by
+/// their name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RuleEdit {
+    /// Adds a cell to a zone (`true`), or takes it away.
+    PaintZone(String, Cell, bool),
+    /// The same of all cells between two corners, both included.
+    PaintRect(String, Cell, Cell, bool),
+    /// What a zone is called; an empty name leaves it as it is.
+    RenameZone(String, String),
+    /// Removes a zone, with the rules that are about it.
+    RemoveZone(String),
+    /// Adds a rule, or puts it in the place of another one.
+    Put(Option<usize>, Constraint),
+    /// Removes a rule.
+    Remove(usize),
+    /// Puts a rule in force, or out of it.
+    Switch(usize),
+    /// Lays a one-way lane along cells; a lane that is there turns round.
+    Lane(Vec<Cell>),
 }
 
 /// What a rule of the scene's own does not ask for any more.

@@ -108,6 +108,7 @@ impl Sketch {
             Edit::AtGoal(at_goal) => self.scene.rules.at_goal = *at_goal,
             Edit::BatteryFloor(floor) => self.scene.rules.battery_floor = *floor,
             Edit::WeakenRule(rule, weaker) => self.weaken(*rule, *weaker),
+            Edit::Rules(edit) => return self.make_of_rules(edit),
             Edit::Within(_) | Edit::Recolour(..) => {}
         }
         Ok(())
@@ -265,7 +266,7 @@ fn free(width: u32, height: u32) -> Grid {
 }
 
 /// A name without blanks around it, and not too long.
-fn short(name: &str) -> String {
+pub(super) fn short(name: &str) -> String {
     name.trim().chars().take(LONGEST_NAME).collect()
 }
 

@@ -85,7 +85,8 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         | Edit::Objective(_)
         | Edit::AtGoal(_)
         | Edit::BatteryFloor(_)
-        | Edit::WeakenRule(..) => {
+        | Edit::WeakenRule(..)
+        | Edit::Rules(_) => {
             return Err(tr_data!("This cannot change while a plan runs."));
         }
         Edit::Within(_) | Edit::Recolour(..) => return Ok(Vec::new()),

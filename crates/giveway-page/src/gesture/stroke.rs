@@ -8,7 +8,7 @@ use giveway_model::words::Sentence;
 use super::Thing;
 use crate::Draft;
 use crate::changing::Changing;
-use crate::edit::{Edit, Paint, Sketch};
+use crate::edit::{Edit, Paint, RuleEdit, Sketch};
 use crate::line::line;
 
 /// What a stroke does.
@@ -25,6 +25,12 @@ pub(crate) enum Hold {
     Toggle(usize),
     /// One edit, wherever the stroke goes on to.
     Once(Edit),
+    /// Adds cells to a zone (`true`), or takes them away.
+    Zone(String, bool),
+    /// The same of all cells between the first and the last one.
+    Rect(String, bool),
+    /// Leads a one-way lane along these cells.
+    Lane(Vec<Cell>),
 }
 
 /// A stroke on its way over the board.
@@ -108,19 +114,30 @@ impl Stroke {
         let way = way.get(usize::from(self.at.is_some())..);
         self.at = Some(to);
         self.has_left |= to != self.from;
-        if let Hold::Brush(..) | Hold::Eraser = self.hold {
-            self.paint(way.unwrap_or_default());
-        } else {
-            self.move_thing();
+        let way = way.unwrap_or_default();
+        match &mut self.hold {
+            Hold::Brush(..) | Hold::Eraser | Hold::Zone(..) => self.paint(way),
+            Hold::Lane(lane) => {
+                if let Canvas::Scene { sketch, .. } = &self.canvas {
+                    lead(lane, way, |cell| sketch.is_blocked(cell));
+                }
+                self.move_thing();
+            }
+            Hold::Thing(_) | Hold::Toggle(_) | Hold::Once(_) | Hold::Rect(..) => {
+                self.move_thing();
+            }
         }
     }
 
     /// What it does to a cell that it comes over.
     fn brushed(&self, cell: Cell) -> Option<Edit> {
-        match self.hold {
-            Hold::Brush(paint, on) => Some(Edit::Paint(paint, cell, on)),
+        match &self.hold {
+            Hold::Brush(paint, on) => Some(Edit::Paint(*paint, cell, *on)),
             Hold::Eraser => Some(Edit::Erase(cell)),
-            Hold::Thing(_) | Hold::Toggle(_) | Hold::Once(_) => None,
+            Hold::Zone(name, on) => Some(Edit::Rules(RuleEdit::PaintZone(name.clone(), cell, *on))),
+            Hold::Thing(_) | Hold::Toggle(_) | Hold::Once(_) | Hold::Rect(..) | Hold::Lane(_) => {
+                None
+            }
         }
     }
 
@@ -151,7 +168,9 @@ impl Stroke {
     fn moved(&self) -> Option<Edit> {
         let (from, to) = (self.from, self.at());
         Some(match &self.hold {
-            Hold::Brush(..) | Hold::Eraser => return None,
+            Hold::Brush(..) | Hold::Eraser | Hold::Zone(..) => return None,
+            Hold::Rect(name, on) => Edit::Rules(RuleEdit::PaintRect(name.clone(), from, to, *on)),
+            Hold::Lane(lane) => Edit::Rules(RuleEdit::Lane(lane.clone())),
             Hold::Once(edit) => edit.clone(),
             Hold::Thing(Thing::Start(agent)) => Edit::SetStart(*agent, to),
             Hold::Thing(Thing::Goal(agent)) => Edit::SetGoal(*agent, to),
@@ -191,5 +210,21 @@ impl Stroke {
             Hold::Toggle(agent) if !self.has_left => Some(Edit::DropWaypoint(agent, self.from)),
             _ => None,
         }
+    }
+}
+
+/// Leads a lane on along the cells on a way: back along itself it takes the lane back, and what
+/// is blocked or no neighbour ends it there.
+fn lead(lane: &mut Vec<Cell>, way: &[Cell], is_blocked: impl Fn(Cell) -> bool) {
+    for &cell in way {
+        if let Some(place) = lane.iter().position(|&other| other == cell) {
+            lane.truncate(place + 1);
+            continue;
+        }
+        let is_next = |last: &Cell| last.x.abs_diff(cell.x) + last.y.abs_diff(cell.y) == 1;
+        if is_blocked(cell) || !lane.last().is_none_or(is_next) {
+            continue;
+        }
+        lane.push(cell);
     }
 }

@@ -17,6 +17,8 @@ pub struct CellFacts {
     pub icon: Option<&'static str>,
     /// Whose start, goal or waypoint it is: the agent's index, and `Start of A1`.
     pub roles: Vec<(usize, String)>,
+    /// The zones that it is part of, by name.
+    pub zones: Vec<String>,
     /// Who is on it and when, by time; `None` without a plan.
     pub passes: Option<Vec<Pass>>,
 }
@@ -68,7 +70,10 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
         sort_by_key(&mut passes, |pass| (pass.from, pass.agent));
         passes
     });
+    let zones = state.world().scene().zones.iter();
+    let zones = zones.filter(|zone| zone.has(cell));
     Some(CellFacts {
+        zones: zones.map(|zone| zone.name.clone()).collect(),
         title: format!("{}, {}", cell.x, cell.y),
         ground,
         icon,

@@ -3,6 +3,7 @@
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
+use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{
@@ -10,14 +11,15 @@ use crate::{
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, the
-/// welcome, robots that are looked at alone, a question, what is led, the selection, the changes of the world,
+/// welcome, robots that are looked at alone, a rule that is being written, a question, what is led, the selection, the changes of the world,
 /// what is laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
     } else if state.closed_cell().is_some() && state.view.selection == Selection::Nothing {
         Some(Action::Freedom(FreedomAction::Open))
-    } else if state.intake.job().is_some_and(Job::is_picture)
+    } else if state.is_pricing()
+        || state.intake.job().is_some_and(Job::is_picture)
         || matches!(
             state.phase(),
             Phase::Solving | Phase::Asking | Phase::Checking | Phase::Counting | Phase::Adapting
@@ -30,6 +32,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Slot(SlotAction::Close))
     } else if state.is_inside() && state.inside.alone.is_some() {
         Some(Action::Inside(InsideAction::Alone(false)))
+    } else if state.is_writing_rule() {
+        Some(Action::Rules(RuleAction::Cancel))
     } else if state.document.mode.asking().is_some() {
         Some(Action::Ask(AskAction::Close))
     } else if let Some(own) = state.document.mode.steering() {

@@ -67,6 +67,8 @@ impl Lesson {
     pub fn allows(&self, tool: Tool) -> bool {
         let tool = match tool {
             Tool::Select => return true,
+            // No step of a lesson is about rules of a scene's own.
+            Tool::Zone | Tool::OneWay => return false,
             Tool::Obstacle => LessonTool::Obstacle,
             Tool::Charger => LessonTool::Charger,
             Tool::SlowZone => LessonTool::SlowZone,
@@ -170,6 +172,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         Action::Solve(_)
         | Action::Edit(_)
         | Action::Ask(_)
+        | Action::Rules(_)
         | Action::Change(_)
         | Action::Audit(_)
         | Action::Inside(_)

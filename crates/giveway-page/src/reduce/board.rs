@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, tr_data};
 
-use super::{ask, delete, press, steer, stroke};
+use super::{ask, delete, press, rules, steer, stroke};
 use crate::gesture::Gesture;
 use crate::steering::Lead;
 use crate::{BoardAction, Selection, State, Tool};
@@ -12,9 +12,24 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         BoardAction::PickTool(tool) => pick(state, tool),
         BoardAction::MoveCursor(cell) => move_cursor(state, cell),
         BoardAction::StepCursor { by, carries } => step_cursor(state, by, carries),
+        BoardAction::UseTool if state.has_stroke() => stroke::release(state),
         BoardAction::UseTool => {
             press::press(state, state.view.cursor);
-            stroke::release(state);
+            // A lane goes on with the arrows, until the tool is used again.
+            if state.view.tool != Tool::OneWay {
+                stroke::release(state);
+            }
+        }
+        BoardAction::Mark {
+            cell,
+            takes,
+            is_rect,
+        } => {
+            if state.view.tool == Tool::Zone {
+                press::mark(state, cell, takes, is_rect);
+            } else {
+                press::press(state, cell);
+            }
         }
         BoardAction::Press(cell) => press::press(state, cell),
         BoardAction::Drag(cells) => {
@@ -36,6 +51,10 @@ fn pick(state: &mut State, tool: Tool) {
         return;
     }
     stroke::abandon(state);
+    if state.view.tool == tool {
+        // Another zone begins.
+        state.view.rules.zone = None;
+    }
     state.view.tool = tool;
     if let Some(changing) = state.document.mode.changing() {
         let at = changing.at;
@@ -52,6 +71,9 @@ fn pick(state: &mut State, tool: Tool) {
 /// What is selected has the inspector: a question makes way for it.
 pub(super) fn select(state: &mut State, selection: Selection) {
     ask::close(state);
+    if rules::takes_cell(state, selection) {
+        return;
+    }
     let count = state.world().agents().len();
     state.view.selection = match selection {
         // Of a scene before this one.
@@ -75,6 +97,13 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
         x.saturating_add_signed(right),
         y.saturating_add_signed(down),
     );
+    if state.has_stroke() || (carries && state.view.tool == Tool::Zone) {
+        // A lane goes on, or a rectangle is drawn.
+        if !state.has_stroke() {
+            press::mark(state, state.view.cursor, false, true);
+        }
+        stroke::drag(state, to);
+    }
     if carries && !is_led && state.view.tool == Tool::Select {
         let from = state.view.cursor;
         if !state.can_move(from) {

@@ -4,12 +4,14 @@
 use std::rc::Rc;
 
 use giveway_model::tr_data;
+use giveway_solve::SolveRequest;
 
 use super::{solve, stroke};
 use crate::edit::{Edit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
-use crate::{Activity, Document, Draft, Mode, Notice, Selection, State};
+use crate::rules::keeps;
+use crate::{Activity, Answer, Document, Draft, Mode, Notice, Selection, State};
 
 /// Puts a document in the place of the one that there is, as one step of undo.
 pub(super) fn put(state: &mut State, document: Document) {
@@ -190,7 +192,23 @@ impl Document {
     /// ends where that is no longer the plan of the scene.
     pub(super) fn set_draft(&mut self, draft: Draft) {
         self.looks = self.looks.after(self.draft.agents(), draft.agents());
+        let held = self
+            .fresh_answer()
+            .filter(|answer| keeps(answer, draft.scene()));
+        let held = held.cloned();
         self.draft = Rc::new(draft);
+        if let Some(held) = held {
+            // A zone alone forbids nothing, and what was proved of fewer rules holds for more.
+            let request = SolveRequest {
+                scene: self.draft.scene().clone(),
+                ..(*held.request).clone()
+            };
+            self.answer = Some(Rc::new(Answer {
+                draft: Rc::clone(&self.draft),
+                request: Rc::new(request),
+                ..(*held).clone()
+            }));
+        }
         match self.mode.audit().and_then(|audit| audit.on(&self.draft)) {
             Some(audit) => {
                 let legal = audit.plan.is_legal();

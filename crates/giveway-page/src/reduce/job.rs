@@ -4,7 +4,7 @@
 use giveway_model::tr_data;
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, freedom, inside, planners, proof, solve};
+use super::{ask, change, freedom, inside, planners, proof, rules, solve};
 use crate::{Adapting, Notice, Size, Solving, State, Task, WorkerAction};
 
 /// A worker tells of a job.
@@ -56,6 +56,7 @@ fn progress(state: &mut State, id: u64, event: Progress) {
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
+        (Task::Price(..), Progress::Priced { answer }) => rules::learn(state, *answer),
         _ => {}
     }
 }
@@ -74,6 +75,7 @@ fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
+        (Task::Price(..), Response::Priced(answer)) => rules::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
@@ -90,6 +92,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Change(_) => tr_data!("The changes were refused."),
         Task::Look(_) => tr_data!("The planner refused the scene."),
         Task::Freedom(_) => tr_data!("All best plans cannot be compared for this scene."),
+        Task::Price(..) => tr_data!("What the rules cost cannot be found out for this scene."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = state.document.mode.comparing().is_some();

@@ -17,6 +17,7 @@ mod planners;
 mod play;
 mod press;
 mod proof;
+mod rules;
 mod slot;
 mod solve;
 mod steer;
@@ -53,6 +54,7 @@ pub fn reduce(state: &State, action: Action) -> State {
         if had_plan && next.so_far().is_none() {
             document::keep_to_plan(&mut next);
         }
+        rules::settle(&mut next);
         inside::look(&mut next);
     }
     next
@@ -81,6 +83,7 @@ fn step(state: &mut State, action: Action) {
             }
         }
         Action::View(action) => view::view(state, &action),
+        Action::Rules(action) => rules::rules(state, action),
         Action::Slot(action) => slot::slot(state, action),
         Action::Lesson(action) => lesson::lesson(state, action),
     }
@@ -106,6 +109,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Steer(_)
         | Action::Audit(_)
         | Action::Inside(_)
+        | Action::Rules(_)
         | Action::Find(_)
         | Action::Freedom(_)
         | Action::Intake(_)

@@ -10,6 +10,7 @@ use super::{ask, steer, stroke};
 use crate::changing::Changing;
 use crate::edit::{Edit, Paint};
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke, Thing};
+use crate::rules::fresh_zone;
 use crate::steering::Lead;
 use crate::{Selection, State, Tool};
 
@@ -52,6 +53,7 @@ pub(super) fn press(state: &mut State, cell: Cell) {
             begin(state, hold, cell);
             stroke::drag(state, cell);
         }
+        Tool::Zone | Tool::OneWay => mark(state, cell, false, false),
         tool @ (Tool::Obstacle | Tool::Charger | Tool::SlowZone) => {
             let paint = tool.paint().unwrap_or(Paint::Obstacle);
             let ground = state.world().grid().ground(cell);
@@ -61,6 +63,35 @@ pub(super) fn press(state: &mut State, cell: Cell) {
             stroke::drag(state, cell);
         }
     }
+}
+
+/// Marks cells for rules: a stroke goes on with the zone that was marked last, and begun on
+/// a cell of it, takes cells away; with the other tool, it leads a lane.
+pub(super) fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
+    stroke::release(state);
+    let cell = state.document.draft.clamp(cell);
+    if !state.can_write_rules() {
+        let why = tr_data!("Rules can be written where the scene itself is on the board.");
+        return ask::refuse(state, why);
+    }
+    state.view.playback.playing = false;
+    state.view.cursor = cell;
+    if state.view.tool == Tool::OneWay {
+        begin(state, Hold::Lane(Vec::new()), cell);
+        return stroke::drag(state, cell);
+    }
+    let scene = state.document.draft.scene();
+    let chosen = state.view.rules.zone.as_ref();
+    let zone = scene.zones.iter().find(|zone| chosen == Some(&zone.name));
+    let on = !takes && (is_rect || zone.is_none_or(|zone| !zone.has(cell)));
+    let name = zone.map_or_else(|| fresh_zone(scene), |zone| zone.name.clone());
+    let hold = if is_rect {
+        Hold::Rect(name, on)
+    } else {
+        Hold::Zone(name, on)
+    };
+    begin(state, hold, cell);
+    stroke::drag(state, cell);
 }
 
 /// An agent that stands there is taken hold of; else one is placed.

@@ -7,6 +7,7 @@ use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
+use super::rules;
 use crate::edit::Sketch;
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
 use crate::{Activity, Document, Draft, Edit, Notice, Selection, State};
@@ -53,6 +54,7 @@ fn finish(state: &mut State, stroke: Stroke) {
         return edit(state, dropped);
     }
     let is_idle = matches!(stroke.hold, Hold::Eraser) && stroke.changes_nothing();
+    let hold = stroke.hold.clone();
     match stroke.canvas {
         Canvas::Scene { before, sketch, .. } => painted(state, &before, &sketch),
         Canvas::World { before, after } => {
@@ -61,6 +63,7 @@ fn finish(state: &mut State, stroke: Stroke) {
             }
         }
     }
+    rules::marked(state, &hold);
     if is_idle {
         state.view.notice = Some(Notice::information(tr_data!(
             "There is nothing to erase here."

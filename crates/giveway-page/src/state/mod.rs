@@ -97,7 +97,11 @@ impl State {
             // Whoever comes back to a plan of their own sees the robot that they lead.
             selection: match self.document.mode.steering() {
                 Some(own) => Selection::Agent(own.agent),
-                None => self.view.selection,
+                None => match self.view.selection {
+                    // It is not there at that time, and is not selected there either.
+                    Selection::Agent(agent) if !self.is_there(agent) => Selection::Nothing,
+                    selection => selection,
+                },
             },
         }
     }

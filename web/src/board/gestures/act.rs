@@ -16,11 +16,21 @@ impl Surface {
         self.state.view.tool != Tool::Select
     }
 
-    /// Begins a stroke at a pixel, if that is on the map.
-    pub(super) fn begin_stroke(&self, at: Px) -> Act {
+    /// Begins a stroke at a pixel, if that is on the map. Shift draws a rectangle, Alt takes
+    /// away, with a tool that knows these.
+    pub(super) fn begin_stroke(&self, at: Px, event: &PointerEvent) -> Act {
         match self.cell(self.frame.point(at)) {
             Some(cell) => {
-                self.send.emit(Action::Board(BoardAction::Press(cell)));
+                let (takes, is_rect) = (event.alt_key(), event.shift_key());
+                self.send.emit(Action::Board(if takes || is_rect {
+                    BoardAction::Mark {
+                        cell,
+                        takes,
+                        is_rect,
+                    }
+                } else {
+                    BoardAction::Press(cell)
+                }));
                 Act::Paint(cell)
             }
             None => Act::Spent,

@@ -33,7 +33,7 @@ impl Surface {
             return;
         }
         hand.act = match event.button() {
-            0 if self.paints() && event.pointer_type() != "touch" => self.begin_stroke(at),
+            0 if self.paints() && event.pointer_type() != "touch" => self.begin_stroke(at, event),
             0 => Act::Pressed(at),
             1 => {
                 event.prevent_default();
@@ -55,7 +55,7 @@ impl Surface {
                 return;
             }
             hand.act = if self.paints() || self.holds(from, event) {
-                self.begin_stroke(from)
+                self.begin_stroke(from, event)
             } else if self.agent_at(from, time).is_none() && !self.is_fit {
                 Act::Pan(from)
             } else {
@@ -80,7 +80,7 @@ impl Surface {
         match act {
             Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
             Act::Pressed(at) if self.paints() => {
-                if let Act::Paint(_) = self.begin_stroke(at) {
+                if let Act::Paint(_) = self.begin_stroke(at, event) {
                     self.send.emit(Action::Board(BoardAction::Release));
                 }
             }

@@ -58,6 +58,13 @@ pub(super) fn cancel(state: &mut State) {
         Some(Task::Look(looking)) => {
             inside::not_told(state, &looking, tr!("You stopped it."));
         }
-        Some(Task::Certify(_) | Task::Export(_) | Task::Change(_) | Task::Freedom(_)) | None => {}
+        Some(
+            Task::Certify(_)
+            | Task::Export(_)
+            | Task::Change(_)
+            | Task::Freedom(_)
+            | Task::Price(..),
+        )
+        | None => {}
     }
 }

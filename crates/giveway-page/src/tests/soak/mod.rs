@@ -10,7 +10,7 @@ use super::answered;
 use crate::reduce::tests::after;
 use crate::{
     Action, Activity, AskAction, Draft, Edit, SolveAction, State, ask, board, changing, freedom,
-    inside, inspect, link, planners, reduce, steering, table, words,
+    inside, inspect, link, planners, reduce, rules, steering, table, words,
 };
 
 /// How many actions in all.
@@ -101,6 +101,7 @@ fn show(state: &State) {
     let _ = planners::table(state);
     let _ = (freedom::column(state), freedom::part(state));
     let _ = (freedom::lines(state), freedom::numbers(state));
+    let _ = (rules::card(state), rules::list(state));
     let _ = board::Cast::of(state);
     let overlay = inside::overlay(state);
     let _ = (

@@ -85,7 +85,7 @@ pub fn standing(state: &State) -> Standing {
     let task = state
         .work
         .task()
-        .filter(|task| !matches!(task, Task::Look(_)));
+        .filter(|task| !matches!(task, Task::Look(_) | Task::Price(..)));
     if let Some(task) = task {
         return working(state, task);
     }
@@ -159,7 +159,7 @@ fn working(state: &State, task: &Task) -> Standing {
         Task::Certify(run) => say(Badge::Checking, proof::doing(run.at.as_ref())),
         Task::Export(run) => say(Badge::Checking, certificate::doing(run)),
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
-        Task::Look(_) => resting(state),
+        Task::Look(_) | Task::Price(..) => resting(state),
         Task::Freedom(_) => say(Badge::Counting, freedom::doing(state).unwrap_or_default()),
     }
 }

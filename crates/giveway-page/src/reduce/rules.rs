@@ -1,0 +1,233 @@
+//! Rules of the scene's own: written, switched, removed, priced, and lit.
+
+use std::rc::Rc;
+
+use giveway_model::words::Sentence;
+use giveway_model::{Constraint, tr_data};
+use giveway_solve::price::PriceAnswer;
+
+use super::{ask, document, solve};
+use crate::gesture::Hold;
+use crate::rules::{Lit, Pricing, RuleAction, Slot, Value, Writing, request};
+use crate::{Edit, RuleEdit, Selection, State, Tab, Task, Tool};
+
+pub(super) fn rules(state: &mut State, action: RuleAction) {
+    let writing = state.view.rules.writing.clone();
+    match action {
+        RuleAction::Light(lit) => state.view.rules.lit = lit,
+        RuleAction::Open(index) => {
+            let open = &mut state.view.rules.open;
+            *open = (*open != Some(index)).then_some(index);
+            state.view.rules.lit = Some(Lit::Rule(index));
+        }
+        RuleAction::Switch(index) => edit(state, RuleEdit::Switch(index)),
+        RuleAction::Remove(index) => {
+            state.view.rules.open = None;
+            edit(state, RuleEdit::Remove(index));
+        }
+        RuleAction::Begin => {
+            let offers = crate::rules::offered(state);
+            begin(state, Writing::first(offers));
+        }
+        RuleAction::OfZone(name) => of_zone(state, &name),
+        RuleAction::Edit(index) => {
+            let rule = state.document.draft.scene().constraints.get(index);
+            let writing = rule.map(|rule| Writing::of(rule, index));
+            begin(state, writing);
+        }
+        RuleAction::Write(rule) => change(state, |writing| writing.write(rule)),
+        RuleAction::OpenSlot(slot) => change(state, |writing| {
+            writing.open = slot.filter(|_| writing.open != slot);
+        }),
+        RuleAction::Fill(value) => change(state, |writing| writing.fill(value)),
+        RuleAction::Read(text) => change(state, |writing| match Constraint::from_words(&text) {
+            Ok(rule) => writing.write(Constraint {
+                name: writing.rule.name.clone(),
+                ..rule
+            }),
+            Err(fault) => writing.misread = Some(fault.to_string()),
+        }),
+        RuleAction::RenameZone(to) => {
+            if let Some(zone) = writing.as_deref().and_then(Writing::zone) {
+                rename(state, zone, &to);
+            }
+        }
+        RuleAction::RemoveZone => {
+            if let Some(zone) = writing.as_deref().and_then(Writing::zone) {
+                edit(state, RuleEdit::RemoveZone(zone.to_owned()));
+            }
+        }
+        RuleAction::Add => {
+            if let Some(writing) = writing {
+                add(state, &writing);
+            }
+        }
+        RuleAction::Cancel => state.view.rules.writing = None,
+        RuleAction::Price if state.is_pricing() => solve::cancel(state),
+        RuleAction::Price => price(state),
+    }
+}
+
+fn edit(state: &mut State, edit: RuleEdit) {
+    document::edit(state, Edit::Rules(edit));
+}
+
+/// Begins to write a rule, where rules can be written.
+fn begin(state: &mut State, writing: Option<Writing>) {
+    if !state.can_write_rules() {
+        return ask::refuse(state, not_here());
+    }
+    ask::close(state);
+    let zone = writing.as_ref().and_then(Writing::zone);
+    if let Some(zone) = zone.map(str::to_owned) {
+        state.view.rules.lit = Some(Lit::Zone(zone.clone()));
+        state.view.rules.zone = Some(zone);
+    }
+    if writing.is_some() {
+        state.view.notice = None;
+        state.view.tab = Tab::Inspector;
+    }
+    state.view.rules.writing = writing.map(Rc::new);
+}
+
+fn not_here() -> Sentence {
+    tr_data!("Rules can be written where the scene itself is on the board.")
+}
+
+fn of_zone(state: &mut State, name: &str) {
+    let zones = &state.document.draft.scene().zones;
+    if zones.iter().any(|zone| zone.name == name) {
+        let offers = crate::rules::of_zone(name);
+        begin(state, Writing::first(offers));
+    }
+}
+
+fn change(state: &mut State, change: impl FnOnce(&mut Writing)) {
+    if let Some(writing) = &mut state.view.rules.writing {
+        change(Rc::make_mut(writing));
+    }
+}
+
+/// Gives a zone another name, here and in the rule that is being written.
+fn rename(state: &mut State, zone: &str, to: &str) {
+    let before: Vec<String> = names(state);
+    edit(state, RuleEdit::RenameZone(zone.to_owned(), to.to_owned()));
+    let new = names(state).into_iter().find(|name| !before.contains(name));
+    let Some(new) = new else { return };
+    let offers = crate::rules::of_zone(&new);
+    change(state, |writing| {
+        writing.fill(Value::Zone(new.clone()));
+        if !writing.offers.is_empty() {
+            writing.offers = offers;
+        }
+    });
+    state.view.rules.lit = Some(Lit::Zone(new.clone()));
+    state.view.rules.zone = Some(new);
+}
+
+fn names(state: &State) -> Vec<String> {
+    let zones = state.document.draft.scene().zones.iter();
+    zones.map(|zone| zone.name.clone()).collect()
+}
+
+/// Adds the rule that was written, as one step of undo.
+fn add(state: &mut State, writing: &Writing) {
+    let count = state.document.draft.scene().constraints.len();
+    let put = RuleEdit::Put(writing.index, writing.rule.clone());
+    if let Err(notice) = document::edit_scene(state, &[Edit::Rules(put)]) {
+        state.view.notice = Some(notice);
+        return;
+    }
+    document::solve_on_change(state);
+    state.view.rules.writing = None;
+    state.view.rules.zone = None;
+    state.view.rules.lit = Some(Lit::Rule(writing.index.unwrap_or(count)));
+    if state.view.tool.is_of_rules() {
+        state.view.tool = Tool::Select;
+    }
+    state.view.selection = Selection::Nothing;
+}
+
+/// A stroke over cells has ended: a zone that is new gets its first rule.
+pub(super) fn marked(state: &mut State, hold: &Hold) {
+    let (Hold::Zone(name, on) | Hold::Rect(name, on)) = hold else {
+        return;
+    };
+    let scene = state.document.draft.scene();
+    if !scene.zones.iter().any(|zone| zone.name == *name) {
+        state.view.rules.zone = None;
+        return;
+    }
+    let has_rule = |rule: &Constraint| crate::rules::zone_of(&rule.kind) == Some(name);
+    let is_ruled = scene.constraints.iter().any(has_rule);
+    state.view.rules.zone = Some(name.clone());
+    state.view.rules.lit = Some(Lit::Zone(name.clone()));
+    let writing = state.view.rules.writing.as_deref();
+    if *on && !is_ruled && writing.is_none_or(|writing| writing.zone() != Some(name)) {
+        of_zone(state, name);
+    }
+}
+
+/// A cell that is pressed while the rule that is being written asks for one; else what is
+/// selected ends the writing.
+pub(super) fn takes_cell(state: &mut State, selection: Selection) -> bool {
+    let Some(writing) = &state.view.rules.writing else {
+        return false;
+    };
+    if let Some(Slot::Cell(index)) = writing.open
+        && selection != Selection::Nothing
+    {
+        let cell = match selection {
+            Selection::Cell(cell) => cell,
+            Selection::Agent(_) | Selection::Nothing => state.view.cursor,
+        };
+        let cell = state.document.draft.clamp(cell);
+        change(state, |writing| writing.fill(Value::Cell(index, cell)));
+        return true;
+    }
+    state.view.rules.writing = None;
+    false
+}
+
+/// Asks what each rule costs.
+fn price(state: &mut State) {
+    if !state.can_write_rules() || state.document.draft.instance().is_err() {
+        let why = tr_data!("What the rules cost cannot be found out for this scene.");
+        return ask::refuse(state, why);
+    }
+    ask::close(state);
+    state.view.notice = None;
+    let request = request(state);
+    let draft = Rc::clone(&state.document.draft);
+    state.view.rules.prices = Some(Rc::new(Pricing {
+        draft: Rc::clone(&draft),
+        told: None,
+    }));
+    state.work.start(Task::Price(draft, Rc::new(request)));
+}
+
+/// More became known of the prices.
+pub(super) fn learn(state: &mut State, told: PriceAnswer) {
+    if let Some(prices) = &mut state.view.rules.prices {
+        Rc::make_mut(prices).told = Some(Rc::new(told));
+    }
+}
+
+/// What is written and lit is about what there is.
+pub(super) fn settle(state: &mut State) {
+    let scene = state.document.draft.scene();
+    let can_write = state.can_write_rules();
+    let has_zone = |name: &String| scene.zones.iter().any(|zone| zone.name == *name);
+    let view = &mut state.view.rules;
+    let lost = view.zone.take_if(|name| !has_zone(name));
+    let fits = |writing: &Rc<Writing>| {
+        let is_lost = lost.is_some() && writing.zone() == lost.as_deref();
+        can_write && !is_lost && writing.fits(scene)
+    };
+    view.writing = view.writing.take().filter(fits);
+    view.lit = view.lit.take().filter(|lit| match lit {
+        Lit::Rule(index) => *index < scene.constraints.len(),
+        Lit::Zone(name) => has_zone(name),
+    });
+    view.open = view.open.filter(|&index| index < scene.constraints.len());
+}

@@ -1,0 +1,154 @@
+//! The rules of the problem and of the scene, as the inspector lists them.
+
+use giveway_model::{AtGoal, Ground, Scene, tr};
+
+use super::price::tag;
+use super::{Lit, Piece, Tag, icon, pieces, zone_of};
+use crate::State;
+
+/// The rules of the scene on the board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct List {
+    /// How many are in force, and how many off: `5 in force, 1 off`.
+    pub count: String,
+    /// The rules of the problem.
+    pub problem: Vec<ProblemRule>,
+    /// The rules of the scene's own.
+    pub rows: Vec<Row>,
+    /// All zones, by name, with whether each is lit.
+    pub zones: Vec<(String, bool)>,
+    /// While prices are asked for: how many are known, and of how many.
+    pub asking: Option<(u32, u32)>,
+    /// Whether what they cost can be asked for.
+    pub can_ask: bool,
+    /// What prices came to as a whole, to be read aloud.
+    pub told: String,
+}
+
+/// A rule of the problem.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProblemRule {
+    /// The name of its icon.
+    pub icon: &'static str,
+    /// Its sentence.
+    pub sentence: String,
+}
+
+/// A rule of the scene's own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its index in the scene.
+    pub index: usize,
+    /// The icon of its kind.
+    pub icon: &'static str,
+    /// Its sentence.
+    pub pieces: Vec<Piece>,
+    /// Its sentence as plain words.
+    pub sentence: String,
+    /// Its name, where it has one.
+    pub name: Option<String>,
+    /// Whether it is in force.
+    pub is_on: bool,
+    /// Whether it is lit.
+    pub is_lit: bool,
+    /// Whether its row is open.
+    pub is_open: bool,
+    /// Its price, where somebody asked.
+    pub price: Option<Tag>,
+}
+
+/// The rules of the scene on the board; nothing while something else is done with it.
+pub fn list(state: &State) -> Option<List> {
+    if !state.can_write_rules() || state.lesson().is_some() {
+        return None;
+    }
+    let scene = state.document.draft.scene();
+    let lit = state.lit_rule();
+    let row = |(index, rule): (usize, &giveway_model::Constraint)| {
+        let pieces = pieces(rule, false);
+        Row {
+            index,
+            icon: icon(rule),
+            sentence: super::card::plain(&pieces),
+            pieces,
+            name: rule.name.clone(),
+            is_on: !rule.off,
+            is_lit: match lit {
+                Some(Lit::Rule(lit)) => *lit == index,
+                Some(Lit::Zone(zone)) => zone_of(&rule.kind) == Some(zone),
+                None => false,
+            },
+            is_open: state.view.rules.open == Some(index),
+            price: tag(state, index, rule.off),
+        }
+    };
+    let off = scene.constraints.iter().filter(|rule| rule.off).count();
+    let on = scene.constraints.len() - off;
+    let count = match (on, off) {
+        (0, 0) => String::new(),
+        (on, 0) => tr!("{n} in force" | "{n} in force" % on),
+        (on, off) => tr!(
+            "{n} in force, {off} off" | "{n} in force, {off} off" % on,
+            off
+        ),
+    };
+    let rows: Vec<Row> = scene.constraints.iter().enumerate().map(row).collect();
+    let told = state.prices().and_then(|prices| prices.told.clone());
+    let asking = state.is_pricing().then(|| match &told {
+        Some(told) => {
+            let all = told.prices.len() as u32;
+            (all.saturating_sub(told.pending), all)
+        }
+        None => (0, on as u32),
+    });
+    let said = told.as_ref().map(|told| told.words.clone());
+    Some(List {
+        count,
+        problem: of_problem(scene, state),
+        zones: scene
+            .zones
+            .iter()
+            .map(|zone| {
+                (
+                    zone.name.clone(),
+                    lit == Some(&Lit::Zone(zone.name.clone())),
+                )
+            })
+            .collect(),
+        can_ask: on > 0 && state.document.draft.instance().is_ok(),
+        told: said.filter(|_| asking.is_none()).unwrap_or_default(),
+        asking,
+        rows,
+    })
+}
+
+/// The rules of the problem, as far as the scene has what they are about.
+fn of_problem(scene: &Scene, state: &State) -> Vec<ProblemRule> {
+    let rule = |icon, sentence: String| ProblemRule { icon, sentence };
+    let mut rules = vec![
+        rule(
+            "collision",
+            tr!("Robots never share a cell or swap places").to_owned(),
+        ),
+        match scene.rules.at_goal {
+            AtGoal::Stay => rule("goal", tr!("Robots stay at their goals").to_owned()),
+            AtGoal::Vanish => rule("goal", tr!("Robots vanish at their goals").to_owned()),
+        },
+    ];
+    let grid = state.document.draft.grid();
+    let is_slow = |y: u32| grid.row(y).iter().copied().any(Ground::is_slow);
+    if (0..grid.height()).any(is_slow) {
+        rules.push(rule(
+            "slow",
+            tr!("A move in the slow zone takes 2 steps").to_owned(),
+        ));
+    }
+    if scene.agents.iter().any(|agent| agent.battery.is_some()) {
+        let floor = scene.rules.battery_floor;
+        rules.push(rule(
+            "charger",
+            tr!("No battery falls below {floor}", floor),
+        ));
+    }
+    rules
+}

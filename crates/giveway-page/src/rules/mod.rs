@@ -1,0 +1,96 @@
+//! Rules of a scene's own: which are lit, which is being written, what each costs.
+
+mod action;
+mod card;
+mod judge;
+mod list;
+mod offers;
+mod parts;
+mod pieces;
+mod price;
+#[cfg(test)]
+mod tests;
+mod writing;
+
+use std::rc::Rc;
+
+use giveway_model::{Constraint, Scene, constraint::ConstraintKind};
+
+use crate::{Activity, State};
+
+pub use action::{Lit, RuleAction, Value};
+pub use card::{Card, Editor, Offer, Stay, card};
+pub(crate) use judge::keeps;
+pub use judge::{Count, Judged, Ruling, ranges};
+pub use list::{List, ProblemRule, Row, list};
+pub(crate) use offers::{of_zone, offered};
+pub(crate) use parts::parts;
+pub use pieces::{Piece, Slot, pieces};
+pub use price::Tag;
+pub(crate) use price::{Pricing, request};
+pub(crate) use writing::Writing;
+
+/// What is shown of the rules, and written of one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RulesView {
+    /// The rule or the zone that is lit on the board and in the list.
+    pub(crate) lit: Option<Lit>,
+    /// The rule whose row is open, by its index in the scene.
+    pub(crate) open: Option<usize>,
+    /// The zone that strokes of the tool go on with, by its name.
+    pub(crate) zone: Option<String>,
+    /// The rule that is being written.
+    pub(crate) writing: Option<Rc<Writing>>,
+    /// What the rules of a scene cost; it may be of an older scene.
+    pub(crate) prices: Option<Rc<Pricing>>,
+}
+
+impl State {
+    /// Whether rules can be written: the scene itself is on the board.
+    pub(crate) const fn can_write_rules(&self) -> bool {
+        matches!(self.document.mode.activity, Activity::Editing)
+    }
+
+    /// The rule or the zone that is lit.
+    pub const fn lit_rule(&self) -> Option<&Lit> {
+        self.view.rules.lit.as_ref()
+    }
+
+    /// Whether a rule is being written.
+    pub fn is_writing_rule(&self) -> bool {
+        self.view.rules.writing.is_some() && self.can_write_rules()
+    }
+}
+
+/// The name of the icon of a rule.
+pub const fn icon(rule: &Constraint) -> &'static str {
+    rule.kind_name()
+}
+
+/// The zone of a rule, by its name.
+pub fn zone_of(kind: &ConstraintKind) -> Option<&str> {
+    match kind {
+        ConstraintKind::Capacity { zone, .. }
+        | ConstraintKind::Closed { zone, .. }
+        | ConstraintKind::NoWaiting { zone, .. }
+        | ConstraintKind::Avoid { zone, .. } => Some(zone),
+        ConstraintKind::OneWay { .. }
+        | ConstraintKind::Gap { .. }
+        | ConstraintKind::Apart { .. }
+        | ConstraintKind::Sequence { .. }
+        | ConstraintKind::Visit { .. }
+        | ConstraintKind::Arrive { .. }
+        | ConstraintKind::Late { .. }
+        | ConstraintKind::Depart { .. }
+        | ConstraintKind::Before { .. }
+        | ConstraintKind::Turns { .. } => None,
+    }
+}
+
+/// A name that no zone has: `zone 2`, of the least free number.
+pub(crate) fn fresh_zone(scene: &Scene) -> String {
+    let is_free = |name: &String| scene.zones.iter().all(|zone| zone.name != *name);
+    let mut names = (1..=scene.zones.len() + 1)
+        .map(|number| giveway_model::tr!("the name of a zone" => "zone {number}", number));
+    names.find(is_free).unwrap_or_default()
+}

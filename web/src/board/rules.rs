@@ -1,0 +1,169 @@
+//! The rules of the scene's own on the board: zones and lanes on the floor, tabs with signs and
+//! tags above the ways.
+
+use std::rc::Rc;
+
+use giveway_page::Draft;
+use giveway_page::board::{LaneShape, SignKind, TagShape, ZoneShape, now, rule_shapes};
+use giveway_page::rules::Lit;
+use yew::prelude::*;
+
+use crate::Shown;
+use crate::part::part;
+
+/// Of which scene, at which time, and what is lit.
+#[derive(Clone, Properties)]
+struct RulesProps {
+    draft: Rc<Draft>,
+    holds: Vec<bool>,
+    lit: Option<Lit>,
+    /// Whether it is what lies above the ways.
+    is_above: bool,
+}
+
+impl PartialEq for RulesProps {
+    fn eq(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.draft, &other.draft)
+            && self.holds == other.holds
+            && self.lit == other.lit
+            && self.is_above == other.is_above
+    }
+}
+
+/// One of two layers: what lies on the floor, or above the ways.
+pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, is_above: bool) -> Html {
+    let scene = draft.scene();
+    if scene.zones.is_empty() && scene.constraints.is_empty() {
+        return Html::default();
+    }
+    let props = RulesProps {
+        holds: now(scene, state.view.playback.time),
+        draft: Rc::clone(draft),
+        lit: state.lit_rule().cloned(),
+        is_above,
+    };
+    html! { { part::<Rules>(props) } }
+}
+
+/// The shapes of one layer.
+#[component]
+fn Rules(props: &RulesProps) -> Html {
+    let shapes = rule_shapes(&props.draft, &props.holds, props.lit.as_ref());
+    if props.is_above {
+        return html! {
+            <g class="rules-on" aria-hidden="true">
+                { for shapes.zones.iter().map(tab) }
+                { for shapes.tags.iter().map(tag) }
+            </g>
+        };
+    }
+    html! {
+        <g class="rules-on" aria-hidden="true">
+            <defs><pattern id="shut" width="18" height="18" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path class="shut-l" d="M9 0V18" /></pattern></defs>
+            { for shapes.zones.iter().map(zone) }
+            { for shapes.lanes.iter().map(lane) }
+        </g>
+    }
+}
+
+fn class(zone: &ZoneShape) -> Classes {
+    classes!(
+        "zone",
+        zone.is_lit.then_some("lit"),
+        zone.is_closed.then_some("force")
+    )
+}
+
+fn zone(zone: &ZoneShape) -> Html {
+    let path =
+        |class: &'static str| html! { <path {class} fill-rule="evenodd" d={zone.path.clone()} /> };
+    html! {
+        <g class={class(zone)}>
+            { path("zone-fill") }
+            if zone.is_closed { { path("zone-hatch") } }
+            { path("zone-halo") }
+            { path("zone-line") }
+        </g>
+    }
+}
+
+fn lane(lane: &LaneShape) -> Html {
+    let chevron = |&(x, y, degrees): &(u32, u32, u32)| {
+        html! {
+            <g transform={format!("translate({x} {y}) rotate({degrees})")}>
+                <path class="chevron-halo" d="M-15-39 9-11M-15 39 9 11" /><path class="chevron" d="M-15-39 9-11M-15 39 9 11" />
+            </g>
+        }
+    };
+    html! { <g class={classes!("one-way", lane.is_lit.then_some("lit"))}>{ for lane.borders.iter().map(chevron) }</g> }
+}
+
+/// How far apart the signs of a tab stand, and how wide a letter is, in units.
+const APART: f64 = 38.0;
+const LETTER: f64 = 12.5;
+
+fn tab(zone: &ZoneShape) -> Html {
+    let (x, y) = zone.tab;
+    let wide = |text: &str| text.chars().count() as f64 * LETTER;
+    let from = APART * zone.signs.len() as f64 - 8.0;
+    let name = wide(&zone.name);
+    let times = zone
+        .times
+        .as_deref()
+        .map_or(0.0, |times| wide(times) + 12.0);
+    let width = (from + name + times + 12.0).to_string();
+    let at = |sign: (usize, &SignKind)| {
+        let by = APART * sign.0 as f64;
+        html! { <g transform={format!("translate({by} 0)")}>{ show_sign(sign.1) }</g> }
+    };
+    html! {
+        <g class={class(zone)} transform={format!("translate({x} {y})")}>
+            <g class="zone-tab">
+                <rect x="0" y="-19.5" {width} height="39" rx="12" />
+                <text x={from.to_string()} y="8.5" textLength={name.to_string()} lengthAdjust="spacingAndGlyphs">{ zone.name.clone() }</text>
+                if let Some(times) = &zone.times {
+                    <text class="zone-times" x={(from + name + 12.0).to_string()} y="8.5">{ times.clone() }</text>
+                }
+            </g>
+            <g class="signs">{ for zone.signs.iter().enumerate().map(at) }</g>
+        </g>
+    }
+}
+
+fn show_sign(sign: &SignKind) -> Html {
+    let ring = |inner: Html| html! { <><circle class="sign-ring" r="17" />{ inner }</> };
+    match sign {
+        SignKind::Ring(number) => ring(
+            html! { <text class="sign-text" y="7.5" text-anchor="middle">{ number.clone() }</text> },
+        ),
+        SignKind::Bar => ring(html! { <path class="sign-bar" d="M-8 0H8" /> }),
+        SignKind::Pause => {
+            ring(html! { <path class="sign-struck" d="M-4-6V6M4-6V6M-12 12 12-12" /> })
+        }
+        SignKind::Triangle(number) => html! {
+            <><path class="sign-ring" d="M-20-16H20L0 18Z" /><text class="sign-text small" y="0" text-anchor="middle">{ number.clone() }</text></>
+        },
+        SignKind::Dot => html! { <circle class="sign-dot" r="6" /> },
+    }
+}
+
+fn tag(tag: &TagShape) -> Html {
+    let (x, y) = (
+        100 * tag.cell.x + 50,
+        100 * tag.cell.y + if tag.is_above { 14 } else { 90 },
+    );
+    let width = tag.text.chars().count() as f64 * 11.0 + 12.0;
+    let left = -width / 2.0;
+    let bar = match tag.class {
+        "late" => Some(width / 2.0),
+        "early" => Some(left),
+        _ => None,
+    };
+    html! {
+        <g class={classes!("rule-tag-on", tag.class)} transform={format!("translate({x} {y})")}>
+            <rect x={left.to_string()} y="-14" width={width.to_string()} height="28" rx="6" />
+            <text y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
+            if let Some(bar) = bar { <path d={format!("M{bar} -15V15")} /> }
+        </g>
+    }
+}

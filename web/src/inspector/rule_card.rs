@@ -1,0 +1,296 @@
+//! A rule that is being written: its sentence with slots, the editor of one of them, what the
+//! plan on the board is under it, and what can be written instead.
+
+use giveway_model::condition::Times;
+use giveway_model::constraint::MAX_NUMBER;
+use giveway_model::tr;
+use giveway_page::Action;
+use giveway_page::rules::{
+    Card, Count, Editor, Judged, Offer, Piece, RuleAction, Ruling, Slot, Stay, Value,
+};
+use yew::prelude::*;
+
+use super::back;
+use super::rules::act;
+use crate::field::{Field, FieldProps, number};
+use crate::part::part;
+use crate::{glyph, icon};
+
+pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
+    html! {
+        <>
+            { head(card, send) }
+            <section class="writing" role="group" aria-labelledby="rule-title">
+                <p class="writing-title" id="rule-title">{ icon::show(card.icon) }{ match &card.zone {
+                    Some(zone) => tr!("A rule for {zone}", zone),
+                    None => tr!("A rule").to_owned(),
+                } }</p>
+                <p class="sentence">{ for card.pieces.iter().map(|of| piece(card, of, send)) }</p>
+                if let Some((slot, editor)) = &card.open { { show_editor(*slot, editor, send) } }
+                { counts(card) }
+                { judged(&card.judged) }
+            </section>
+            if !card.offers.is_empty() {
+                <section>
+                    <h3>{ tr!("Or one of these") }</h3>
+                    <ul class="asks">{ for card.offers.iter().map(|of| offer(of, send)) }</ul>
+                </section>
+            }
+            if let (Some(zone), false) = (&card.zone, card.stays.is_empty()) {
+                <section>
+                    <h3>{ tr!("Who is in {zone} when", zone) }</h3>
+                    <dl class="facts">{ for card.stays.iter().map(stay) }</dl>
+                </section>
+            }
+            { in_words(card, send) }
+        </>
+    }
+}
+
+fn head(card: &Card, send: &Callback<Action>) -> Html {
+    let Some(zone) = &card.zone else {
+        return html! {
+            <header class="ih">{ back(send) }<div><h2>{ if card.is_edited { tr!("Edit the rule") } else { tr!("A new rule") } }</h2></div></header>
+        };
+    };
+    let rename = send.reform(|name| Action::Rules(RuleAction::RenameZone(name)));
+    let remove = act(send, || RuleAction::RemoveZone);
+    html! {
+        <header class="ih">
+            { back(send) }
+            <span class="cellsw zone-sign">{ icon::show("zone") }</span>
+            <div class="zone-field">
+                { part::<Field>(FieldProps { label: tr!("Name of the zone").into(), value: zone.clone().into(), on_change: rename, empty: None, range: None }) }
+                <p>{ card.place.clone() }</p>
+            </div>
+            <button type="button" class="btn ghost round" title={tr!("Delete the zone")} aria-label={tr!("Delete the zone")} onclick={remove}>{ icon::show("erase") }</button>
+        </header>
+    }
+}
+
+/// A piece of the sentence: words, or a slot that opens its editor.
+fn piece(card: &Card, piece: &Piece, send: &Callback<Action>) -> Html {
+    let (slot, text) = match piece {
+        Piece::Text(text) => return html! { { text.clone() } },
+        Piece::Slot(slot, text) => (*slot, text),
+    };
+    let what = match slot {
+        Slot::Number(_) => tr!("a slot of a rule" => "number"),
+        Slot::Who => tr!("a slot of a rule" => "who"),
+        Slot::Zone => tr!("a slot of a rule" => "zone"),
+        Slot::When => tr!("a slot of a rule" => "when"),
+        Slot::Cell(_) => tr!("a slot of a rule" => "where"),
+        Slot::Agent(_) => tr!("a slot of a rule" => "robot"),
+    };
+    let is_open = card.open.as_ref().is_some_and(|(open, _)| *open == slot);
+    let class = classes!(
+        "slot-of-rule",
+        (slot == Slot::Zone).then_some("zone-name"),
+        is_open.then_some("on")
+    );
+    html! {
+        <button type="button" {class} aria-label={format!("{what}: {text}")} aria-expanded={is_open.to_string()}
+            onclick={act(send, move || RuleAction::OpenSlot(Some(slot)))} onkeydown={step(card, slot, send)}>{ text.clone() }</button>
+    }
+}
+
+/// Up and Down change a number.
+fn step(card: &Card, slot: Slot, send: &Callback<Action>) -> Option<Callback<KeyboardEvent>> {
+    let Slot::Number(index) = slot else {
+        return None;
+    };
+    let text = card.pieces.iter().find_map(|piece| match piece {
+        Piece::Slot(of, text) if *of == slot => Some(text),
+        Piece::Slot(..) | Piece::Text(_) => None,
+    });
+    let value: u32 = text.and_then(|text| text.parse().ok()).unwrap_or(0);
+    let send = send.clone();
+    Some(Callback::from(move |event: KeyboardEvent| {
+        let next = match event.key().as_str() {
+            "ArrowUp" => value.saturating_add(1),
+            "ArrowDown" => value.saturating_sub(1),
+            _ => return,
+        };
+        event.prevent_default();
+        event.stop_propagation();
+        fill(&send, Value::Number(index, next));
+    }))
+}
+
+fn fill(send: &Callback<Action>, value: Value) {
+    send.emit(Action::Rules(RuleAction::Fill(value)));
+}
+
+fn show_editor(slot: Slot, editor: &Editor, send: &Callback<Action>) -> Html {
+    let body = match (slot, editor) {
+        (Slot::Number(index), Editor::Number { value, least }) => {
+            stepper(index, *value, *least, send)
+        }
+        (_, Editor::Names { names, several }) => choices(slot, names, *several, send),
+        (_, Editor::When(times)) => when(*times, send),
+        (_, Editor::Cell(cell)) => html! {
+            <p class="remark">{ tr!("Now {cell}. Press another cell on the board.", cell) }</p>
+        },
+        (_, Editor::Number { .. }) => Html::default(),
+    };
+    html! { <div class="slot-editor">{ body }</div> }
+}
+
+fn stepper(index: usize, value: u32, least: u32, send: &Callback<Action>) -> Html {
+    let set = |to: u32| act(send, move || RuleAction::Fill(Value::Number(index, to)));
+    let typed = send.reform(move |n: Option<u32>| {
+        Action::Rules(RuleAction::Fill(Value::Number(index, n.unwrap_or(least))))
+    });
+    html! {
+        <>
+            <button type="button" class="btn outline round" aria-label={tr!("One less")} disabled={value <= least} onclick={set(value.saturating_sub(1))}>{ icon::show("minus") }</button>
+            { number(tr!("Number"), Some(value), (least, MAX_NUMBER), None, &typed) }
+            <button type="button" class="btn outline round" aria-label={tr!("One more")} onclick={set(value.saturating_add(1))}>{ icon::show("plus") }</button>
+        </>
+    }
+}
+
+/// Names to press; of robots that a rule binds, several.
+fn choices(slot: Slot, names: &[(String, bool)], several: bool, send: &Callback<Action>) -> Html {
+    let chosen: Vec<String> = names
+        .iter()
+        .filter(|(_, is_on)| *is_on)
+        .map(|(name, _)| name.clone())
+        .collect();
+    let is_all = chosen.is_empty();
+    let pick = |(agent, (name, is_on)): (usize, &(String, bool))| {
+        let value = match slot {
+            Slot::Who => {
+                let mut chosen = chosen.clone();
+                if *is_on {
+                    chosen.retain(|other| other != name);
+                } else {
+                    chosen.push(name.clone());
+                }
+                Value::Who((!chosen.is_empty()).then_some(chosen))
+            }
+            Slot::Zone => Value::Zone(name.clone()),
+            Slot::Agent(index) => Value::Agent(index, name.clone()),
+            Slot::Number(_) | Slot::When | Slot::Cell(_) => return Html::default(),
+        };
+        html! {
+            <button type="button" class="pick-one" aria-pressed={is_on.to_string()} onclick={act(send, move || RuleAction::Fill(value.clone()))}>
+                if slot != Slot::Zone { { glyph::show(agent, "pick-glyph") } }{ name.clone() }
+            </button>
+        }
+    };
+    html! {
+        <>
+            if several {
+                <button type="button" class="pick-one" aria-pressed={is_all.to_string()} onclick={act(send, || RuleAction::Fill(Value::Who(None)))}>{ tr!("All robots") }</button>
+            }
+            { for names.iter().enumerate().map(pick) }
+        </>
+    }
+}
+
+/// Always, or from one time to another.
+fn when(times: Option<Times>, send: &Callback<Action>) -> Html {
+    let known = times.unwrap_or_default();
+    let set = |times: Times| act(send, move || RuleAction::Fill(Value::When(times)));
+    let change = |make: fn(Times, Option<u32>) -> Times| {
+        send.reform(move |n: Option<u32>| {
+            Action::Rules(RuleAction::Fill(Value::When(make(known, n))))
+        })
+    };
+    let some = Times {
+        from: Some(known.first()),
+        to: known.to.or(Some(known.first().saturating_add(5))),
+    };
+    html! {
+        <>
+            <div class="seg" role="group" aria-label={tr!("When")}>
+                <button type="button" aria-pressed={times.is_none().to_string()} onclick={set(Times::default())}>{ tr!("a rule holds" => "Always") }</button>
+                <button type="button" aria-pressed={times.is_some().to_string()} onclick={set(some)}>{ tr!("From, to") }</button>
+            </div>
+            if times.is_some() {
+                { number(tr!("a time" => "From"), known.from, (0, MAX_NUMBER), Some(tr!("the start")), &change(|times, from| Times { from, ..times })) }
+                { number(tr!("a time" => "To"), known.to, (0, MAX_NUMBER), Some(tr!("for ever")), &change(|times, to| Times { to, ..times })) }
+            }
+        </>
+    }
+}
+
+/// How many robots are in the zone at each time.
+fn counts(card: &Card) -> Html {
+    let Some(zone) = card.zone.as_ref().filter(|_| card.counts.len() > 1) else {
+        return Html::default();
+    };
+    let last = card.counts.len() - 1;
+    let column = |(time, count): (usize, &Count)| {
+        let class = classes!(count.is_in.then_some("in"), count.is_over.then_some("over"));
+        let is_told = time.is_multiple_of(5) || time == last;
+        html! { <li {class}><small>{ if is_told && (time == last || last - time > 1) { time.to_string() } else { String::new() } }</small><b>{ count.robots }</b></li> }
+    };
+    html! {
+        <figure class="counts" aria-hidden="true">
+            <ol>{ for card.counts.iter().enumerate().map(column) }</ol>
+            <figcaption>{ tr!("Robots in {zone} at each time", zone) }</figcaption>
+        </figure>
+    }
+}
+
+/// What the plan is under the rule.
+fn judged(judged: &Judged) -> Html {
+    let (class, icon) = match judged.ruling {
+        Ruling::Keeps => ("fine", "check"),
+        Ruling::Breaks => ("would", "warning"),
+        Ruling::Fault => ("fault", "warning"),
+        Ruling::Open => ("open", "info"),
+    };
+    html! {
+        <div class={classes!("judged", class)} role="status">
+            { icon::show(icon) }
+            <p><b>{ judged.title.clone() }</b>{ for judged.details.iter().map(|detail| html! { <small>{ detail.clone() }</small> }) }</p>
+        </div>
+    }
+}
+
+fn offer(offer: &Offer, send: &Callback<Action>) -> Html {
+    let rule = offer.rule.clone();
+    html! {
+        <li key={offer.sentence.clone()}><button type="button" class="ask" onclick={act(send, move || RuleAction::Write(rule.clone()))}>
+            { icon::show(offer.icon) }<span>{ offer.sentence.clone() }</span>{ icon::at_end("plus") }
+        </button></li>
+    }
+}
+
+fn stay(stay: &Stay) -> Html {
+    html! {
+        <div key={stay.agent}><dt class="who">{ glyph::show(stay.agent, "pick-glyph") }{ stay.name.clone() }</dt><dd>{ stay.when.clone() }</dd></div>
+    }
+}
+
+/// The rule as it can be typed.
+fn in_words(card: &Card, send: &Callback<Action>) -> Html {
+    let read = send.reform(|text| Action::Rules(RuleAction::Read(text)));
+    html! {
+        <details class="edit">
+            <summary>{ tr!("Write it in words") }</summary>
+            <div class="edit-body">
+                { part::<Field>(FieldProps { label: tr!("The rule, in English").into(), value: card.sentence.clone().into(), on_change: read, empty: None, range: None }) }
+                if let Some(misread) = &card.misread { <small class="possible" role="status">{ misread.clone() }</small> }
+            </div>
+        </details>
+    }
+}
+
+/// What stays at the foot of the inspector.
+pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
+    let (icon, words) = if card.is_edited {
+        ("check", tr!("Change the rule"))
+    } else {
+        ("plus", tr!("Add the rule"))
+    };
+    html! {
+        <footer class="foot">
+            <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={act(send, || RuleAction::Add)}>{ icon::show(icon) }<span>{ words }</span></button>
+            <button type="button" class="btn outline" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
+        </footer>
+    }
+}

@@ -1,0 +1,145 @@
+//! The rules: those of the problem as sentences, those of the scene with price and switch.
+
+use giveway_model::tr;
+use giveway_page::rules::{Lit, Piece, ProblemRule, Row, RuleAction, Tag, list};
+use giveway_page::{Action, State};
+use yew::prelude::*;
+
+use crate::icon;
+
+/// The section; nothing while something else is done with the scene.
+pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
+    let Some(list) = list(state) else {
+        return Html::default();
+    };
+    let of_problem = |rule: &ProblemRule| {
+        html! { <li>{ icon::show(rule.icon) }<span>{ rule.sentence.clone() }</span></li> }
+    };
+    let begin = act(send, || RuleAction::Begin);
+    let own = |zone: &(String, bool)| zone_button(&zone.0, zone.1, send);
+    html! {
+        <section class="rules" id="rules" aria-labelledby="rules-title">
+            <div class="rules-head">
+                <h3 id="rules-title">{ tr!("Rules") }</h3><small>{ list.count.clone() }</small>
+                <button type="button" class="btn ghost round" title={tr!("Add a rule")} aria-label={tr!("Add a rule")} onclick={begin}>{ icon::show("plus") }</button>
+            </div>
+            <details class="of-problem" open={list.rows.is_empty()}>
+                <summary>{ tr!("Of the problem") }</summary>
+                <ul>{ for list.problem.iter().map(of_problem) }</ul>
+            </details>
+            if list.rows.is_empty() {
+                <p class="remark">{ tr!("To limit a place, pick the tool Zone and mark its cells. To lead robots one way, pick One-way.") }</p>
+            } else {
+                <ul class="own-rules" aria-label={tr!("Of this scene")}>{ for list.rows.iter().map(|row| rule(row, send)) }</ul>
+            }
+            if !list.zones.is_empty() {
+                <p class="zones">{ tr!("Zones") }{ " " }{ for list.zones.iter().map(own) }</p>
+            }
+            if list.can_ask || list.asking.is_some() { { ask(list.asking, send) } }
+            <p class="vh" role="status">{ list.told.clone() }</p>
+        </section>
+    }
+}
+
+/// A callback that sends what is done to rules.
+pub(super) fn act(
+    send: &Callback<Action>,
+    action: impl Fn() -> RuleAction + 'static,
+) -> Callback<MouseEvent> {
+    send.reform(move |_| Action::Rules(action()))
+}
+
+/// A zone by its name, with an outline as on the board; pressing it opens it.
+pub(super) fn zone_button(name: &str, is_lit: bool, send: &Callback<Action>) -> Html {
+    let zone = name.to_owned();
+    html! {
+        <button type="button" class={classes!("zone-name", is_lit.then_some("on"))} aria-label={tr!("Zone {name}", name)}
+            onclick={act(send, move || RuleAction::OfZone(zone.clone()))}>{ name.to_owned() }</button>
+    }
+}
+
+fn rule(row: &Row, send: &Callback<Action>) -> Html {
+    let index = row.index;
+    let light =
+        move |is_lit: bool| Action::Rules(RuleAction::Light(is_lit.then_some(Lit::Rule(index))));
+    let piece = |piece: &Piece| match piece {
+        Piece::Text(text) => html! { { text.clone() } },
+        Piece::Slot(_, zone) => zone_button(zone, row.is_lit, send),
+    };
+    let label = match &row.price {
+        Some(price) if row.is_on => format!("{}, {}", row.sentence, price.text),
+        _ => row.sentence.clone(),
+    };
+    let switch = tr!("{rule}: in force", rule = row.sentence);
+    let class = classes!(
+        "rule",
+        row.is_lit.then_some("lit"),
+        (!row.is_on).then_some("off")
+    );
+    html! {
+        <li key={index} {class} role="group" aria-label={label}
+            onmouseenter={send.reform(move |_| light(true))} onfocusin={send.reform(move |_| light(true))}
+            onmouseleave={send.reform(move |_| light(false))}>
+            <button type="button" class="rule-icon" aria-expanded={row.is_open.to_string()} aria-label={tr!("{rule}: show and open", rule = row.sentence)}
+                onclick={act(send, move || RuleAction::Open(index))}>{ icon::show(row.icon) }</button>
+            <p class="rule-text">{ for row.pieces.iter().map(piece) }
+                if let Some(name) = &row.name { <small>{ name.clone() }</small> }
+            </p>
+            <label class="switch" title={tr!("In force")}>
+                <input type="checkbox" role="switch" aria-label={switch} checked={row.is_on}
+                    onchange={send.reform(move |_: Event| Action::Rules(RuleAction::Switch(index)))} /><i></i>
+            </label>
+            <p class="rule-price">
+                if let Some(price) = &row.price { { tag(price) } }
+            </p>
+            if row.is_open { { open(row, send) } }
+        </li>
+    }
+}
+
+fn tag(price: &Tag) -> Html {
+    let icon = match price.class {
+        "busy" => Some("clock"),
+        "some" => Some("search"),
+        _ => price.is_proved.then_some("proved"),
+    };
+    html! {
+        <span class={classes!("rule-tag", price.class)}>
+            if let Some(icon) = icon { { icon::show(icon) } }{ price.text.clone() }
+        </span>
+    }
+}
+
+/// What an open row tells, and what can be done to its rule.
+fn open(row: &Row, send: &Callback<Action>) -> Html {
+    let index = row.index;
+    let without = row.price.as_ref().and_then(|price| price.without.clone());
+    html! {
+        <div class="rule-more">
+            if let Some(without) = without { <p>{ without }</p> }
+            <button type="button" class="btn outline" onclick={act(send, move || RuleAction::Edit(index))}>{ icon::show("edit") }{ tr!("Edit") }</button>
+            <button type="button" class="btn outline" onclick={act(send, move || RuleAction::Remove(index))}>{ icon::show("erase") }{ tr!("Remove") }</button>
+        </div>
+    }
+}
+
+/// The button that asks what rules cost; it stops, while that is being found out.
+fn ask(asking: Option<(u32, u32)>, send: &Callback<Action>) -> Html {
+    let onclick = act(send, || RuleAction::Price);
+    let label = asking.map(|(known, of)| {
+        tr!(
+            "What do the rules cost? {known} of {of} known. Press to stop.",
+            known,
+            of
+        )
+    });
+    html! {
+        <button type="button" class="btn outline ask-price" aria-label={label} {onclick}>
+            { icon::show("price") }<span>{ tr!("What do the rules cost?") }</span>
+            if let Some((known, of)) = asking {
+                <small>{ tr!("{known} of {of}", known, of) }</small>{ icon::show("stop") }
+                <progress aria-hidden="true" max={of.to_string()} value={known.to_string()}></progress>
+            }
+        </button>
+    }
+}
