@@ -92,7 +92,7 @@ describe("editing", () => {
   });
 
   flow("picks tools by keys and by arrows", async (playground) => {
-    for (const [key, tool] of [["o", "Obstacle"], ["c", "Charger"], ["s", "Slow zone"], ["e", "Erase"], ["a", "Robot"], ["g", "Goal"], ["w", "Waypoint"], ["v", "Select"]]) {
+    for (const [key, tool] of [["o", "Obstacle"], ["c", "Charger"], ["s", "Slow zone"], ["e", "Erase"], ["z", "Zone"], ["r", "One-way"], ["a", "Robot"], ["g", "Goal"], ["w", "Waypoint"], ["v", "Select"]]) {
       await playground.key(key);
       await playground.tools.getByRole("button", { name: tool, exact: true, pressed: true }).waitFor();
       assert.equal(await playground.tools.getByRole("button", { pressed: true }).count(), 1);

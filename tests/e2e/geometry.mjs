@@ -12,7 +12,7 @@ const SIDEWAYS = ".lanes, .tblwrap, .cols, .tools";
 /** Smaller by design: the time of the ruler is also set by the buttons of the transport, and
  * whose lane it is is also chosen on the board and in the inspector. What a sentence names is as
  * high as its line. */
-const SLENDER = "[role=slider], .lane .lab, .aw, .cw, .term, .quiet .link";
+const SLENDER = "[role=slider], .lane .lab, .aw, .cw, .term, .quiet .link, .rule-text .zone-name, .slot-of-rule";
 
 /** The least side of a control, in pixels: for a pointer, for a finger. */
 const POINTER = 24;

@@ -123,7 +123,7 @@ pub fn App() -> Html {
             </ContextProvider<Clock>>
         };
     }
-    let is_answering = state.document.mode.asking().is_some();
+    let is_answering = state.document.mode.asking().is_some() || state.is_writing_rule();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
     let has_dock = state

@@ -1,10 +1,11 @@
 //! What can happen to the page, by the place where it does.
 
+mod worker;
+
 use std::rc::Rc;
 
 use giveway_model::{Cell, Question, Scene};
 use giveway_solve::plan::Planner;
-use giveway_solve::{Progress, Response};
 
 use crate::audit::AuditAction;
 use crate::changing::Choice;
@@ -21,6 +22,8 @@ use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
+
+pub use worker::WorkerAction;
 
 /// What a person did, what the solver told, or that time went on.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,34 +194,6 @@ pub enum SolveAction {
     CheckProof,
     /// Make certificates of what the inspector tells, and save them.
     SaveProof,
-}
-
-/// A worker tells of the job that it was given.
-#[derive(Clone, Debug, PartialEq)]
-pub enum WorkerAction {
-    /// The worker got to know something.
-    Progress {
-        /// The number of the job.
-        job: u64,
-        /// What became known.
-        event: Progress,
-    },
-    /// The worker answered.
-    Respond {
-        /// The number of the job.
-        job: u64,
-        /// The answer.
-        response: Box<Response>,
-    },
-    /// The worker ended without an answer.
-    Crash {
-        /// The number of the job.
-        job: u64,
-        /// Why, as a sentence.
-        sentence: String,
-        /// Whether it broke off and was replaced; else it did not even start.
-        had_started: bool,
-    },
 }
 
 /// Questions.

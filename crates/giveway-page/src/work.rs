@@ -8,9 +8,8 @@ use giveway_solve::change::ChangeRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
-use giveway_solve::price::PriceRequest;
 use giveway_solve::trace::SearchTrace;
-use giveway_solve::{CertifyRequest, Request, SolveRequest};
+use giveway_solve::{CertifyRequest, Request, SolveRequest, price::PriceRequest};
 
 use crate::certificate::Exporting;
 use crate::changing::Changing;
@@ -250,23 +249,20 @@ impl Task {
             Self::Explain(request) => asks(document, request),
             Self::Certify(run) => run.about.is_in(document),
             Self::Export(run) => run.about.is_in(document),
-            Self::Look(looking) => {
-                Rc::ptr_eq(&looking.draft, &document.draft)
-                    && looking.within == document.within
-                    && document.mode.is_editing()
-            }
+            Self::Look(looking) => is_of(&looking.draft, looking.within, document),
             Self::Change(run) => {
                 let changing = document.mode.changing();
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
             }
             Self::Freedom(request) => Certifies::Freedom(Rc::clone(request)).is_in(document),
-            Self::Price(draft, request) => {
-                Rc::ptr_eq(draft, &document.draft)
-                    && request.within == document.within
-                    && document.mode.is_editing()
-            }
+            Self::Price(draft, request) => is_of(draft, request.within, document),
         }
     }
+}
+
+/// Whether a draft with a horizon is that of a document, and nothing else is done with it.
+fn is_of(draft: &Rc<Draft>, within: Option<u32>, document: &Document) -> bool {
+    Rc::ptr_eq(draft, &document.draft) && within == document.within && document.mode.is_editing()
 }
 
 impl Certifies {

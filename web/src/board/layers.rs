@@ -15,7 +15,7 @@ use super::floor::FloorShapes;
 use super::freedom;
 use super::inside::InsideFloor;
 use super::marks::Marks;
-use super::rules;
+use super::rules::{self, Layer};
 use super::viewport::Sight;
 use super::ways::Ways;
 use crate::Shown;
@@ -69,16 +69,17 @@ pub(super) fn layers(
     html! {
         <>
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
-            { rules::layer(state, world, false) }
+            { rules::layer(state, world, Layer::Floor) }
             { part::<InsideFloor>(InsideProps { overlay: overlay.clone() }) }
             if is_laid_over {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails && !is_proof {
                 { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still: None }) }
             }
-            { rules::layer(state, world, true) }
+            { rules::layer(state, world, Layer::Tabs) }
             { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
             { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, still: None }) }
+            { rules::layer(state, world, Layer::Tags) }
             if detail == Detail::All {
                 { part::<Axis>(AxisProps { frame, board }) }
             }

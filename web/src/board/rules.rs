@@ -17,8 +17,7 @@ struct RulesProps {
     draft: Rc<Draft>,
     holds: Vec<bool>,
     lit: Option<Lit>,
-    /// Whether it is what lies above the ways.
-    is_above: bool,
+    layer: Layer,
 }
 
 impl PartialEq for RulesProps {
@@ -26,12 +25,23 @@ impl PartialEq for RulesProps {
         Rc::ptr_eq(&self.draft, &other.draft)
             && self.holds == other.holds
             && self.lit == other.lit
-            && self.is_above == other.is_above
+            && self.layer == other.layer
     }
 }
 
-/// One of two layers: what lies on the floor, or above the ways.
-pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, is_above: bool) -> Html {
+/// What of the rules lies at which height.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Layer {
+    /// Zones and lanes, on the floor.
+    Floor,
+    /// The tabs of zones with their signs, above the ways.
+    Tabs,
+    /// Tags, above robots and flags.
+    Tags,
+}
+
+/// One of the layers.
+pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
     let scene = draft.scene();
     if scene.zones.is_empty() && scene.constraints.is_empty() {
         return Html::default();
@@ -40,7 +50,7 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, is_above: bool) -> Html {
         holds: now(scene, state.view.playback.time),
         draft: Rc::clone(draft),
         lit: state.lit_rule().cloned(),
-        is_above,
+        layer,
     };
     html! { { part::<Rules>(props) } }
 }
@@ -49,20 +59,20 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, is_above: bool) -> Html {
 #[component]
 fn Rules(props: &RulesProps) -> Html {
     let shapes = rule_shapes(&props.draft, &props.holds, props.lit.as_ref());
-    if props.is_above {
-        return html! {
+    match props.layer {
+        Layer::Floor => html! {
             <g class="rules-on" aria-hidden="true">
-                { for shapes.zones.iter().map(tab) }
-                { for shapes.tags.iter().map(tag) }
+                <defs><pattern id="shut" width="18" height="18" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path class="shut-l" d="M9 0V18" /></pattern></defs>
+                { for shapes.zones.iter().map(zone) }
+                { for shapes.lanes.iter().map(lane) }
             </g>
-        };
-    }
-    html! {
-        <g class="rules-on" aria-hidden="true">
-            <defs><pattern id="shut" width="18" height="18" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path class="shut-l" d="M9 0V18" /></pattern></defs>
-            { for shapes.zones.iter().map(zone) }
-            { for shapes.lanes.iter().map(lane) }
-        </g>
+        },
+        Layer::Tabs => {
+            html! { <g class="rules-on" aria-hidden="true">{ for shapes.zones.iter().map(tab) }</g> }
+        }
+        Layer::Tags => {
+            html! { <g class="rules-on" aria-hidden="true">{ for shapes.tags.iter().map(tag) }</g> }
+        }
     }
 }
 
@@ -148,10 +158,14 @@ fn show_sign(sign: &SignKind) -> Html {
 }
 
 fn tag(tag: &TagShape) -> Html {
-    let (x, y) = (
-        100 * tag.cell.x + 50,
-        100 * tag.cell.y + if tag.is_above { 14 } else { 90 },
-    );
+    // The number of a stop has a corner of its own; the others stand at an edge.
+    let (x, y) = match (tag.class, tag.is_above) {
+        ("order", true) => (17, 18),
+        ("order", false) => (17, 82),
+        (_, true) => (50, 14),
+        (_, false) => (50, 88),
+    };
+    let (x, y) = (100 * tag.cell.x + x, 100 * tag.cell.y + y);
     let width = tag.text.chars().count() as f64 * 11.0 + 12.0;
     let left = -width / 2.0;
     let bar = match tag.class {
@@ -160,10 +174,10 @@ fn tag(tag: &TagShape) -> Html {
         _ => None,
     };
     html! {
-        <g class={classes!("rule-tag-on", tag.class)} transform={format!("translate({x} {y})")}>
+        <g class={classes!("rule-tag-on", tag.class)} transform={format!("translate({x} {y})")}><g class="in">
             <rect x={left.to_string()} y="-14" width={width.to_string()} height="28" rx="6" />
             <text y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
             if let Some(bar) = bar { <path d={format!("M{bar} -15V15")} /> }
-        </g>
+        </g></g>
     }
 }

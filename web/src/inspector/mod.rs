@@ -15,6 +15,7 @@ mod proof;
 mod questions;
 mod rule_card;
 mod rules;
+mod slot_editor;
 mod steer;
 mod whole;
 

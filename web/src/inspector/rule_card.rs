@@ -1,18 +1,17 @@
-//! A rule that is being written: its sentence with slots, the editor of one of them, what the
-//! plan on the board is under it, and what can be written instead.
+//! A rule that is being written: its sentence with slots, what the plan on the board is under
+//! it, and what can be written instead.
 
-use giveway_model::condition::Times;
-use giveway_model::constraint::MAX_NUMBER;
 use giveway_model::tr;
-use giveway_page::Action;
 use giveway_page::rules::{
-    Card, Count, Editor, Judged, Offer, Piece, RuleAction, Ruling, Slot, Stay, Value,
+    Card, Count, Judged, Offer, Piece, RuleAction, Ruling, Slot, Stay, Value,
 };
+use giveway_page::{Action, BoardAction, Tool};
 use yew::prelude::*;
 
 use super::back;
 use super::rules::act;
-use crate::field::{Field, FieldProps, number};
+use super::slot_editor;
+use crate::field::{Field, FieldProps};
 use crate::part::part;
 use crate::{glyph, icon};
 
@@ -26,7 +25,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     None => tr!("A rule").to_owned(),
                 } }</p>
                 <p class="sentence">{ for card.pieces.iter().map(|of| piece(card, of, send)) }</p>
-                if let Some((slot, editor)) = &card.open { { show_editor(*slot, editor, send) } }
+                if let Some((slot, editor)) = &card.open { { slot_editor::show(*slot, editor, send) } }
                 { counts(card) }
                 { judged(&card.judged) }
             </section>
@@ -34,6 +33,12 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 <section>
                     <h3>{ tr!("Or one of these") }</h3>
                     <ul class="asks">{ for card.offers.iter().map(|of| offer(of, send)) }</ul>
+                </section>
+            }
+            if card.zone.is_none() && !card.is_edited {
+                <section>
+                    <h3>{ tr!("Or mark a place on the board") }</h3>
+                    <ul class="asks">{ marking(Tool::Zone, tr!("A limit, a closure: mark a zone"), send) }{ marking(Tool::OneWay, tr!("One direction: lead a lane"), send) }</ul>
                 </section>
             }
             if let (Some(zone), false) = (&card.zone, card.stays.is_empty()) {
@@ -48,16 +53,19 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
 }
 
 fn head(card: &Card, send: &Callback<Action>) -> Html {
+    let title = if card.is_edited {
+        tr!("Edit the rule")
+    } else {
+        tr!("A new rule")
+    };
     let Some(zone) = &card.zone else {
-        return html! {
-            <header class="ih">{ back(send) }<div><h2>{ if card.is_edited { tr!("Edit the rule") } else { tr!("A new rule") } }</h2></div></header>
-        };
+        return html! { <header class="ih">{ back(send) }<div><h2>{ title }</h2></div></header> };
     };
     let rename = send.reform(|name| Action::Rules(RuleAction::RenameZone(name)));
     let remove = act(send, || RuleAction::RemoveZone);
     html! {
         <header class="ih">
-            { back(send) }
+            { back(send) }<h2 class="vh">{ title }</h2>
             <span class="cellsw zone-sign">{ icon::show("zone") }</span>
             <div class="zone-field">
                 { part::<Field>(FieldProps { label: tr!("Name of the zone").into(), value: zone.clone().into(), on_change: rename, empty: None, range: None }) }
@@ -121,101 +129,6 @@ fn fill(send: &Callback<Action>, value: Value) {
     send.emit(Action::Rules(RuleAction::Fill(value)));
 }
 
-fn show_editor(slot: Slot, editor: &Editor, send: &Callback<Action>) -> Html {
-    let body = match (slot, editor) {
-        (Slot::Number(index), Editor::Number { value, least }) => {
-            stepper(index, *value, *least, send)
-        }
-        (_, Editor::Names { names, several }) => choices(slot, names, *several, send),
-        (_, Editor::When(times)) => when(*times, send),
-        (_, Editor::Cell(cell)) => html! {
-            <p class="remark">{ tr!("Now {cell}. Press another cell on the board.", cell) }</p>
-        },
-        (_, Editor::Number { .. }) => Html::default(),
-    };
-    html! { <div class="slot-editor">{ body }</div> }
-}
-
-fn stepper(index: usize, value: u32, least: u32, send: &Callback<Action>) -> Html {
-    let set = |to: u32| act(send, move || RuleAction::Fill(Value::Number(index, to)));
-    let typed = send.reform(move |n: Option<u32>| {
-        Action::Rules(RuleAction::Fill(Value::Number(index, n.unwrap_or(least))))
-    });
-    html! {
-        <>
-            <button type="button" class="btn outline round" aria-label={tr!("One less")} disabled={value <= least} onclick={set(value.saturating_sub(1))}>{ icon::show("minus") }</button>
-            { number(tr!("Number"), Some(value), (least, MAX_NUMBER), None, &typed) }
-            <button type="button" class="btn outline round" aria-label={tr!("One more")} onclick={set(value.saturating_add(1))}>{ icon::show("plus") }</button>
-        </>
-    }
-}
-
-/// Names to press; of robots that a rule binds, several.
-fn choices(slot: Slot, names: &[(String, bool)], several: bool, send: &Callback<Action>) -> Html {
-    let chosen: Vec<String> = names
-        .iter()
-        .filter(|(_, is_on)| *is_on)
-        .map(|(name, _)| name.clone())
-        .collect();
-    let is_all = chosen.is_empty();
-    let pick = |(agent, (name, is_on)): (usize, &(String, bool))| {
-        let value = match slot {
-            Slot::Who => {
-                let mut chosen = chosen.clone();
-                if *is_on {
-                    chosen.retain(|other| other != name);
-                } else {
-                    chosen.push(name.clone());
-                }
-                Value::Who((!chosen.is_empty()).then_some(chosen))
-            }
-            Slot::Zone => Value::Zone(name.clone()),
-            Slot::Agent(index) => Value::Agent(index, name.clone()),
-            Slot::Number(_) | Slot::When | Slot::Cell(_) => return Html::default(),
-        };
-        html! {
-            <button type="button" class="pick-one" aria-pressed={is_on.to_string()} onclick={act(send, move || RuleAction::Fill(value.clone()))}>
-                if slot != Slot::Zone { { glyph::show(agent, "pick-glyph") } }{ name.clone() }
-            </button>
-        }
-    };
-    html! {
-        <>
-            if several {
-                <button type="button" class="pick-one" aria-pressed={is_all.to_string()} onclick={act(send, || RuleAction::Fill(Value::Who(None)))}>{ tr!("All robots") }</button>
-            }
-            { for names.iter().enumerate().map(pick) }
-        </>
-    }
-}
-
-/// Always, or from one time to another.
-fn when(times: Option<Times>, send: &Callback<Action>) -> Html {
-    let known = times.unwrap_or_default();
-    let set = |times: Times| act(send, move || RuleAction::Fill(Value::When(times)));
-    let change = |make: fn(Times, Option<u32>) -> Times| {
-        send.reform(move |n: Option<u32>| {
-            Action::Rules(RuleAction::Fill(Value::When(make(known, n))))
-        })
-    };
-    let some = Times {
-        from: Some(known.first()),
-        to: known.to.or(Some(known.first().saturating_add(5))),
-    };
-    html! {
-        <>
-            <div class="seg" role="group" aria-label={tr!("When")}>
-                <button type="button" aria-pressed={times.is_none().to_string()} onclick={set(Times::default())}>{ tr!("a rule holds" => "Always") }</button>
-                <button type="button" aria-pressed={times.is_some().to_string()} onclick={set(some)}>{ tr!("From, to") }</button>
-            </div>
-            if times.is_some() {
-                { number(tr!("a time" => "From"), known.from, (0, MAX_NUMBER), Some(tr!("the start")), &change(|times, from| Times { from, ..times })) }
-                { number(tr!("a time" => "To"), known.to, (0, MAX_NUMBER), Some(tr!("for ever")), &change(|times, to| Times { to, ..times })) }
-            }
-        </>
-    }
-}
-
 /// How many robots are in the zone at each time.
 fn counts(card: &Card) -> Html {
     let Some(zone) = card.zone.as_ref().filter(|_| card.counts.len() > 1) else {
@@ -257,6 +170,14 @@ fn offer(offer: &Offer, send: &Callback<Action>) -> Html {
         <li key={offer.sentence.clone()}><button type="button" class="ask" onclick={act(send, move || RuleAction::Write(rule.clone()))}>
             { icon::show(offer.icon) }<span>{ offer.sentence.clone() }</span>{ icon::at_end("plus") }
         </button></li>
+    }
+}
+
+/// A tool that marks a place for a rule.
+fn marking(tool: Tool, words: &'static str, send: &Callback<Action>) -> Html {
+    let onclick = send.reform(move |_| Action::Board(BoardAction::PickTool(tool)));
+    html! {
+        <li><button type="button" class="ask" {onclick}>{ icon::show(tool.icon()) }<span>{ words }</span>{ icon::at_end("chevron") }</button></li>
     }
 }
 

@@ -77,7 +77,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
         (!row.is_on).then_some("off")
     );
     html! {
-        <li key={index} {class} role="group" aria-label={label}
+        <li key={index}><div {class} role="group" aria-label={label}
             onmouseenter={send.reform(move |_| light(true))} onfocusin={send.reform(move |_| light(true))}
             onmouseleave={send.reform(move |_| light(false))}>
             <button type="button" class="rule-icon" aria-expanded={row.is_open.to_string()} aria-label={tr!("{rule}: show and open", rule = row.sentence)}
@@ -93,7 +93,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
                 if let Some(price) = &row.price { { tag(price) } }
             </p>
             if row.is_open { { open(row, send) } }
-        </li>
+        </div></li>
     }
 }
 

@@ -54,6 +54,8 @@ fn pick(state: &mut State, tool: Tool) {
     if state.view.tool == tool {
         // Another zone begins.
         state.view.rules.zone = None;
+    } else if tool.is_of_rules() {
+        state.view.rules.writing = None;
     }
     state.view.tool = tool;
     if let Some(changing) = state.document.mode.changing() {

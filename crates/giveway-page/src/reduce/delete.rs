@@ -3,18 +3,28 @@
 use giveway_model::tr_data;
 
 use super::{ask, document, press, steer, stroke};
-use crate::{Edit, Selection, State, Tool};
+use crate::rules::Lit;
+use crate::{Edit, RuleEdit, Selection, State, Tool};
 
-/// Removes the robot that is selected, or what is on the cell that is.
+/// Removes the robot that is selected, or what is on the cell that is; where nothing is, the
+/// rule or the zone that is lit.
 pub(super) fn delete(state: &mut State) {
     if steer::is_in_the_way(state) {
         return;
     }
     match state.view.selection {
-        Selection::Nothing => ask::refuse(
-            state,
-            tr_data!("Select a robot or a cell first. Then Delete removes it."),
-        ),
+        Selection::Nothing => match state.lit_rule().cloned() {
+            Some(Lit::Rule(index)) => {
+                document::edit(state, Edit::Rules(RuleEdit::Remove(index)));
+            }
+            Some(Lit::Zone(name)) => {
+                document::edit(state, Edit::Rules(RuleEdit::RemoveZone(name)));
+            }
+            None => ask::refuse(
+                state,
+                tr_data!("Select a robot or a cell first. Then Delete removes it."),
+            ),
+        },
         Selection::Agent(agent) if state.is_there(agent) => {
             document::edit(state, Edit::RemoveAgent(agent));
         }

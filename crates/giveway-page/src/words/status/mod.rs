@@ -5,7 +5,7 @@ mod bounds;
 mod resting;
 
 use giveway_model::words::capital;
-use giveway_model::{AtGoal, Rules, assumption, constraint, tr};
+use giveway_model::{AtGoal, Constraint, Rules, assumption, constraint, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
@@ -111,7 +111,7 @@ pub fn standing(state: &State) -> Standing {
             let scene = state.document.draft.scene();
             let rules = state.document.answer.as_ref().map(|_| rules(scene.rules));
             let rules = rules.into_iter().flatten();
-            let own = constraint::sentences(&scene.constraints);
+            let own = own_rules(&scene.constraints);
             for said in rules
                 .chain(assumption::sentences(&scene.assumptions))
                 .chain(own)
@@ -130,6 +130,16 @@ pub fn standing(state: &State) -> Standing {
             standing.sentence += causes.as_deref().unwrap_or_default();
             standing
         }
+    }
+}
+
+/// The scene's own rules that are in force: one in words, more by their number, as the
+/// inspector lists them.
+fn own_rules(rules: &[Constraint]) -> Option<String> {
+    match rules.iter().filter(|rule| !rule.off).count() {
+        0 | 1 => constraint::sentences(rules),
+        more => Some(tr!("{n} rule of the scene's own is in force."
+            | "{n} rules of the scene's own are in force." % more)),
     }
 }
 

@@ -1,0 +1,136 @@
+// Rules of a scene's own: a place is limited and its price asked for, by mouse, by keys, by a finger.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { audit } from "./audit.mjs";
+import { BOTH, LOOKS, flows } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+/** Three aisles between two halls. A1 and A2 take the left one, one behind the other. */
+const AISLES = {
+  giveway: 1,
+  name: "three aisles",
+  map: [".......", "##.#.##", "##.#.##", "##.#.##", "......."],
+  agents: [
+    { name: "A1", start: [0, 0], goal: [0, 4] },
+    { name: "A2", start: [1, 0], goal: [3, 4] },
+    { name: "A3", start: [6, 4], goal: [5, 0] },
+  ],
+  constraints: [{ kind: "one-way", lane: [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0]] }],
+};
+
+const OPTIMAL = /^Optimal: makespan 8, sum of costs 21/;
+const ASK = /^What do the rules cost\?/;
+
+describe("rules of a scene's own", () => {
+  const flow = flows();
+
+  for (const { theme, screens } of LOOKS) {
+    flow(`one robot at a time in an aisle, and what that costs (${theme})`, async (playground) => {
+      await solve(playground);
+      await playground.pick("Zone");
+      await playground.stroke([2, 1], [2, 3]);
+      const { inspector } = playground;
+      const judge = inspector.locator(".judged");
+      await eventually("the judge", () => judge.innerText(), (text) => /^This plan breaks it [^]*A1 and A2 are in zone 1 then\.$/.test(text));
+      await playground.says(OPTIMAL);
+      await rename(playground, "middle aisle");
+      await audit(playground, "a rule that is written");
+      await playground.picture(`rule-add-${theme}`);
+      await playground.press("Add the rule");
+      await inspector.getByRole("group", { name: "At most 1 robot in middle aisle", exact: true }).waitFor();
+      await inspector.getByRole("button", { name: ASK }).click();
+      await inspector.getByRole("group", { name: "At most 1 robot in middle aisle, +2 steps" }).waitFor();
+      await inspector.getByRole("group", { name: "One way from (0, 0) to (5, 0), free" }).waitFor();
+      await playground.cellTells(2, 2, /zone middle aisle/);
+      await audit(playground, "prices of rules");
+      await playground.picture(`rules-${theme}`);
+      // The scene has a rule more than the plan.
+      await playground.solver.click();
+      await playground.says(/^Optimal: makespan 10, sum of costs 23/);
+      await playground.picture(`rules-solved-${theme}`);
+    }, { screens, theme });
+  }
+
+  flow("a rule is filled, switched, edited and taken back", async (playground) => {
+    await solve(playground);
+    await playground.pick("Zone");
+    await playground.stroke([2, 1], [2, 3]);
+    const { inspector } = playground;
+    const slot = (name) => inspector.getByRole("button", { name, exact: true });
+    await slot("number: 1").click();
+    await slot("One more").click();
+    await inspector.getByText("This plan keeps it").waitFor();
+    await slot("when: always").click();
+    await slot("From, to").click();
+    await inspector.getByLabel("To", { exact: true }).fill("9");
+    await inspector.getByLabel("To", { exact: true }).press("Tab");
+    await slot("who: all robots").click();
+    await slot("A1").click();
+    await slot("who: A1").waitFor();
+    await playground.picture("rule-slots");
+    await playground.press("Add the rule");
+    const row = inspector.getByRole("group", { name: "At most 2 of A1 in zone 1 from 0 to 9" });
+    await row.or(inspector.getByRole("group", { name: "At most 2 of A1 in zone 1 up to 9" })).waitFor();
+    await playground.says(OPTIMAL);
+    const toggle = inspector.getByRole("switch", { name: /^At most 2 of A1 in zone 1 .*: in force$/ });
+    // Its label is what is seen of it.
+    await inspector.locator("label").filter({ has: toggle }).click();
+    assert.equal(await toggle.isChecked(), false);
+    await playground.press("Undo");
+    await eventually("the rule in force", () => toggle.isChecked(), Boolean);
+    await inspector.getByRole("button", { name: /^At most 2 of A1 .*: show and open$/ }).click();
+    await inspector.getByRole("button", { name: "Remove", exact: true }).click();
+    await toggle.waitFor({ state: "detached" });
+    await playground.press("Undo");
+    await toggle.waitFor();
+  });
+
+  flow("is done by keys alone", async (playground) => {
+    await solve(playground);
+    await playground.board.focus();
+    await playground.key("z", "Home", "Control+ArrowUp", "ArrowDown", "ArrowRight", "ArrowRight", "Shift+ArrowDown", "Shift+ArrowDown", "Enter");
+    const { inspector } = playground;
+    await inspector.getByRole("button", { name: "number: 1" }).focus();
+    await playground.key("ArrowUp");
+    await inspector.getByRole("button", { name: "number: 2" }).waitFor();
+    await playground.key("ArrowDown");
+    await inspector.getByText(/^This plan breaks it/).waitFor();
+    await inspector.getByRole("button", { name: "Add the rule" }).focus();
+    await playground.key("Enter");
+    await inspector.getByRole("button", { name: ASK }).focus();
+    await playground.key("Enter");
+    await inspector.getByRole("group", { name: "At most 1 robot in zone 1, +2 steps" }).waitFor();
+    await playground.board.focus();
+    await playground.key("r", "Home", "Control+ArrowUp", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "ArrowRight", "ArrowRight", "Enter");
+    await inspector.getByRole("group", { name: "One way from (0, 4) to (2, 4)" }).waitFor();
+  });
+
+  flow("a finger marks a zone and leads a lane", async (playground) => {
+    await solve(playground);
+    await playground.pick("One-way");
+    await playground.stroke([3, 0], [2, 0]);
+    await playground.showTab("Inspector");
+    await playground.inspector.getByRole("group", { name: "One way from (5, 0) to (0, 0)" }).waitFor();
+    await playground.cellTells(3, 0, /one way to \(2, 0\)/);
+    await playground.picture("rules-lane");
+  }, { screens: BOTH });
+});
+
+async function solve(playground) {
+  await playground.open({ name: "aisles.json", bytes: JSON.stringify(AISLES) });
+  await playground.shows("three aisles");
+  await playground.solver.click();
+  await playground.says(OPTIMAL);
+  if (await playground.button("Pause").isVisible()) {
+    await playground.press("Pause");
+  }
+}
+
+async function rename(playground, name) {
+  const field = playground.inspector.getByLabel("Name of the zone", { exact: true });
+  await field.fill(name);
+  await field.press("Enter");
+  await playground.inspector.getByText(`A rule for ${name}`).waitFor();
+}
