@@ -76,7 +76,7 @@ describe("rules of a scene's own", () => {
     await playground.says(OPTIMAL);
     const toggle = inspector.getByRole("switch", { name: /^At most 2 of A1 in zone 1 .*: in force$/ });
     // Its label is what is seen of it.
-    await inspector.locator("label").filter({ has: toggle }).click();
+    await toggle.locator("..").click();
     assert.equal(await toggle.isChecked(), false);
     await playground.press("Undo");
     await eventually("the rule in force", () => toggle.isChecked(), Boolean);
@@ -115,6 +115,25 @@ describe("rules of a scene's own", () => {
     await playground.inspector.getByRole("group", { name: "One way from (5, 0) to (0, 0)" }).waitFor();
     await playground.cellTells(3, 0, /one way to \(2, 0\)/);
     await playground.picture("rules-lane");
+  }, { screens: BOTH });
+});
+
+describe("rules about a robot", () => {
+  const flow = flows();
+
+  flow("a start is set, judged and added", async (playground) => {
+    await solve(playground);
+    const { inspector } = playground;
+    await playground.showTab("Inspector");
+    await inspector.getByRole("button", { name: /^A3/ }).click();
+    await playground.press("A rule about this robot");
+    await inspector.getByRole("heading", { name: "A new rule" }).waitFor();
+    await inspector.getByText("This plan keeps it").waitFor();
+    await inspector.getByRole("button", { name: /^A3 starts from 1 on$/ }).click();
+    await inspector.getByText(/^This plan breaks it/).waitFor();
+    await playground.press("Add the rule");
+    await inspector.getByRole("group", { name: "A3 starts from 1 on", exact: true }).waitFor();
+    await playground.picture("rule-about-robot");
   }, { screens: BOTH });
 });
 

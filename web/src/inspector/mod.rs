@@ -82,6 +82,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             } else {
                 <div class="scroll" key={format!("{led} {above}")}>
                     { content(state, send) }
+                    { rules::begin(state, send) }
                     { steer::begin(state, send) }
                     { change::begin(state, send) }
                     { questions::show(&ask::offers(state), send) }

@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 use giveway_page::rules::{Lit, Piece, ProblemRule, Row, RuleAction, Tag, list};
-use giveway_page::{Action, State};
+use giveway_page::{Action, Selection, State};
 use yew::prelude::*;
 
 use crate::icon;
@@ -38,6 +38,21 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
             if list.can_ask || list.asking.is_some() { { ask(list.asking, send) } }
             <p class="vh" role="status">{ list.told.clone() }</p>
         </section>
+    }
+}
+
+/// The button that begins a rule about the robot or the cell that is selected.
+pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
+    let words = match state.view.selection {
+        Selection::Agent(_) => tr!("A rule about this robot"),
+        Selection::Cell(_) => tr!("A rule about this cell"),
+        Selection::Nothing => return Html::default(),
+    };
+    if list(state).is_none() {
+        return Html::default();
+    }
+    html! {
+        <button type="button" class="btn outline more" onclick={act(send, || RuleAction::Begin)}>{ icon::show("plus") }{ words }</button>
     }
 }
 

@@ -33,7 +33,13 @@ pub(super) fn escape(state: &State) -> Option<Action> {
     } else if state.is_inside() && state.inside.alone.is_some() {
         Some(Action::Inside(InsideAction::Alone(false)))
     } else if state.is_writing_rule() {
-        Some(Action::Rules(RuleAction::Cancel))
+        let open = state.view.rules.writing.as_ref();
+        let has_open = open.is_some_and(|writing| writing.open.is_some());
+        Some(Action::Rules(if has_open {
+            RuleAction::OpenSlot(None)
+        } else {
+            RuleAction::Cancel
+        }))
     } else if state.document.mode.asking().is_some() {
         Some(Action::Ask(AskAction::Close))
     } else if let Some(own) = state.document.mode.steering() {

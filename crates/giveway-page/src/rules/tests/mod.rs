@@ -237,6 +237,17 @@ fn what_is_selected_decides_what_is_offered() {
 #[test]
 fn a_cell_is_pressed_for_its_slot_and_escape_closes() {
     use crate::Selection;
+    use crate::keys::{Command, Key, command};
+    let escape = |state: &State| {
+        let key = Key {
+            name: "Escape",
+            ..Key::default()
+        };
+        match command(key, state) {
+            Some(Command::Act(action)) => after(state, [action]),
+            other => panic!("{other:?}"),
+        }
+    };
     let select = |selection| Action::Board(BoardAction::Select(selection));
     let state = after(
         &fresh(),
@@ -253,6 +264,9 @@ fn a_cell_is_pressed_for_its_slot_and_escape_closes() {
         ],
     );
     assert_eq!(card(&state).unwrap().sentence, "A1 stays 1 step at (4, 4)");
+    let slot_closed = escape(&state);
+    assert!(card(&slot_closed).unwrap().open.is_none(), "the slot first");
+    assert!(card(&escape(&slot_closed)).is_none(), "then the card");
     let closed = after(
         &state,
         [act(RuleAction::OpenSlot(None)), select(Selection::Agent(0))],
