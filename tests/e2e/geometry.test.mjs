@@ -100,6 +100,18 @@ describe("the geometry", () => {
     await playground.inspector.getByRole("button", { name: /^Close .*makespan/ }).first().click();
     await playground.says(/^Optimal: makespan (?!18)/);
   }, { tabs: ["Inspector"] });
+  state("rules and their prices", async (playground) => {
+    await marked(playground);
+    await playground.press("Add the rule");
+    await playground.inspector.getByRole("button", { name: /^What do the rules cost/ }).click();
+    await playground.inspector.getByRole("group", { name: /^At most 1 robot in zone 1, ./ }).waitFor();
+    await playground.inspector.getByRole("button", { name: /: show and open$/ }).click();
+  });
+  state("a rule that is written", async (playground) => {
+    await marked(playground);
+    await playground.inspector.getByRole("button", { name: "when: always" }).click();
+    await playground.press("From, to");
+  }, { tabs: [""] });
   state("an answer", answered, { tabs: ["Inspector", "Timeline"] });
   state("why there is no plan", why);
   state("a world that changes", async (playground) => {
@@ -202,6 +214,14 @@ describe("the geometry", () => {
     await playground.says(/^(Best|Optimal)/);
   }, { screens: [[320, 480], [640, 480], ...SCREENS] });
 });
+
+/** A zone is marked, and its first rule is being written. */
+async function marked(playground) {
+  await opening(playground);
+  await playground.pick("Zone");
+  await playground.stroke([0, 0], [0, 2]);
+  await playground.inspector.getByRole("heading", { name: "A new rule" }).waitFor();
+}
 
 async function opening(playground) {
   await playground.says(OPENING);

@@ -92,7 +92,8 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Steering
                 | Phase::Auditing
         ) || ask::offers_next_step(state)
-            || state.view.waiting.welcome;
+            || state.view.waiting.welcome
+            || state.is_writing_rule();
         let stale = state.shows_stale();
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>

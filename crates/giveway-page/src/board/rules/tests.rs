@@ -9,13 +9,13 @@ use crate::rules::Lit;
 /// An aisle with rules, a hall, a lane, a deadline.
 fn draft(rules: &str) -> Draft {
     let text = format!(
-        r####"{{ "giveway": 1,
+        r###"{{ "giveway": 1,
           "map": [".......", "##.#.##", "##.#.##", "##.#.##", "......."],
           "agents": [{{ "name": "A1", "start": [0, 0], "goal": [0, 4] }},
                      {{ "name": "A2", "start": [1, 0], "goal": [3, 4] }}],
           "zones": [{{ "name": "aisle", "rect": [2, 1, 2, 3] }},
                     {{ "name": "hall", "cells": [[4, 0], [5, 0]] }}],
-          "constraints": [{rules}] }}"####
+          "constraints": [{rules}] }}"###
     );
     Draft::new(serde_json::from_str(&text).unwrap()).unwrap()
 }

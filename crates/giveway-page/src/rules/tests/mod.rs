@@ -14,12 +14,12 @@ use crate::{Action, BoardAction, Draft, SolveAction, State, Tool, WorkerAction};
 /// Two robots that pass a short aisle one behind the other: (2, 1) to (2, 3).
 fn scene() -> Scene {
     serde_json::from_str(
-        r####"{ "giveway": 1,
+        r###"{ "giveway": 1,
           "map": [".......", "##.#.##", "##.#.##", "##.#.##", "......."],
           "agents": [{ "name": "A1", "start": [0, 0], "goal": [0, 4] },
                      { "name": "A2", "start": [1, 0], "goal": [3, 4] },
                      { "name": "A3", "start": [6, 4], "goal": [5, 0] }],
-          "constraints": [{ "kind": "one-way", "lane": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0]] }] }"####,
+          "constraints": [{ "kind": "one-way", "lane": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0]] }] }"###,
     )
     .unwrap()
 }
