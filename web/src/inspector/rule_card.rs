@@ -6,6 +6,7 @@ use giveway_page::rules::{
     Card, Count, Judged, Offer, Piece, RuleAction, Ruling, Slot, Stay, Value,
 };
 use giveway_page::{Action, BoardAction, Tool};
+use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::back;
@@ -208,9 +209,20 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     } else {
         ("plus", tr!("Add the rule"))
     };
+    let send_it = act(send, || RuleAction::Add);
+    let add = Callback::from(move |event: MouseEvent| {
+        send_it.emit(event);
+        // The list takes the place of the card: the new rule and what it costs come into view.
+        Timeout::new(0, || {
+            if let Some(list) = gloo::utils::document().get_element_by_id("rules") {
+                list.scroll_into_view();
+            }
+        })
+        .forget();
+    });
     html! {
         <footer class="foot">
-            <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={act(send, || RuleAction::Add)}>{ icon::show(icon) }<span>{ words }</span></button>
+            <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>
             <button type="button" class="btn outline" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
         </footer>
     }
