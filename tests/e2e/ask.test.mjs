@@ -17,17 +17,18 @@ describe("asking why", () => {
     await about(playground, "A2");
     await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
     await told(playground, "Needless");
-    const costs = playground.inspector.getByRole("table", { name: "Both plans" });
+    const costs = playground.inspector.getByRole("table", { name: "Who pays" });
     assert.match(await costs.innerText(), /A1 arrives\s+3\s+4\s+\+1/);
     await playground.picture("needless");
 
-    await playground.press("Step forward");
+    // It opens at the first difference.
+    await playground.press("Show the other plan");
     if (playground.isPhone()) {
-      await playground.press("Show other");
       await playground.cellTells(2, 2, /A1/);
       await playground.picture("other-plan");
-      await playground.press("Show this");
+      await playground.press("Show this plan");
     } else {
+      await playground.reaches(1);
       // Both move in step, on one clock.
       await playground.cellTells(2, 2, /A1/, playground.other);
       await playground.cellTells(2, 1, /A2/, playground.other);
@@ -37,6 +38,9 @@ describe("asking why", () => {
       await playground.picture("beside");
     }
     await playground.cellTells(2, 1, /A1/);
+    if (playground.isPhone()) {
+      await playground.press("Show the other plan");
+    }
     await playground.press("Take the other plan");
     await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 2, /A1/);
@@ -50,8 +54,8 @@ describe("asking why", () => {
     await playground.reaches(0);
     await about(playground, "A2");
     await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
+    await playground.press("Show the other plan");
     await playground.other.waitFor();
-    await playground.press("Step forward");
     await playground.cellTells(2, 2, /A1/, playground.other);
     await playground.picture("beside-dark");
     await page.setViewportSize({ width: 1024, height: 768 });
@@ -63,11 +67,10 @@ describe("asking why", () => {
     // A window that gets narrow has one board, and still both plans.
     await page.setViewportSize({ width: 600, height: 844 });
     await playground.other.waitFor({ state: "detached" });
-    await playground.press("Show other");
     await playground.cellTells(2, 2, /A1/);
     await page.setViewportSize({ width: 1440, height: 900 });
     await playground.other.waitFor();
-    await playground.press("Keep this");
+    await playground.press("Keep this plan");
     await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 1, /A1/);
   }, { screens: ["desktop"], theme: "dark", reducedMotion: "reduce" });

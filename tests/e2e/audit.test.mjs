@@ -71,7 +71,7 @@ describe("the audit finds nothing", () => {
       await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
       await playground.press("To start");
       await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
-      await playground.button("Take the other plan").waitFor({ timeout: 60_000 });
+      await playground.button("Show the other plan").waitFor({ timeout: 60_000 });
       await playground.button("Solve").waitFor({ timeout: 60_000 });
       await audit(playground, "answered");
     }, options);

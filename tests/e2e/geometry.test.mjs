@@ -247,7 +247,7 @@ async function answered(playground) {
   await playground.reaches(0);
   await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
   await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
-  await playground.button("Take the other plan").waitFor();
+  await playground.button("Show the other plan").waitFor();
   await playground.button("Solve").waitFor();
   await playground.press("Step forward");
   await playground.reaches(1);

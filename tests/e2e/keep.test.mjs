@@ -126,14 +126,14 @@ describe("links", () => {
     await playground.showTab("Inspector");
     await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
     await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
-    await playground.button("Take the other plan").waitFor();
+    await playground.button("Show the other plan").waitFor();
     await playground.act("Share");
     const link = await page.getByRole("dialog", { name: "Share" }).getByLabel("Link").inputValue();
     assert.match(link, /&ask=wait;A2!at\.3\.1/);
     const other = await context.newPage();
     await other.goto(link);
     await other.getByRole("heading", { level: 1, name: /^scenario 1/ }).waitFor();
-    await other.getByRole("button", { name: "Take the other plan", exact: true }).waitFor();
+    await other.getByRole("button", { name: "Show the other plan", exact: true }).waitFor();
     await other.screenshot({ path: playground.pathOf("linked-question") });
     await other.close();
   });

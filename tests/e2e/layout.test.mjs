@@ -77,10 +77,10 @@ describe("the layout", () => {
       const board = await playground.board.boundingBox();
       assert.ok(board.height <= height * 0.35 + 1, `the board has ${board.height}`);
       const verdict = await playground.inspector.getByText("Needless").boundingBox();
-      const words = await playground.inspector.getByText(/there is another plan/).boundingBox();
-      const foot = await playground.button("Take the other plan").boundingBox();
+      const words = await playground.inspector.getByText(/^If A2 did not wait at/).boundingBox();
+      const foot = await playground.button("Show the other plan").boundingBox();
       assert.ok(verdict.y > board.y + board.height && words.y + words.height <= foot.y, "the verdict is not in sight");
-      const costs = await playground.inspector.getByRole("table", { name: "Both plans" }).boundingBox();
+      const costs = await playground.inspector.getByRole("table", { name: "Who pays" }).boundingBox();
       assert.ok(verdict.y < costs.y, "the verdict comes first");
       assert.equal(await playground.tools.isVisible(), false, "the tools fold away");
       await playground.picture(`answer-${height}`);
@@ -140,8 +140,12 @@ describe("the layout", () => {
   flow("one next step is filled", async (playground, { page }) => {
     await answered(playground);
     assert.deepEqual(await geometry(page), []);
-    assert.deepEqual(await filled(page), ["Take the other plan"]);
-    await playground.press("Keep this");
+    assert.deepEqual(await filled(page), ["Show the other plan"]);
+    await playground.press("Show the other plan");
+    await page.mouse.move(2, 2);
+    await eventually("to keep the plan to be the next step", () => filled(page), (names) => names.join() === "Keep this plan");
+    await playground.press("Keep this plan");
+    await playground.press("Done");
     await eventually("play to be the next step", () => filled(page), (names) => names.join() === "Play");
     await playground.example("No way past");
     await playground.says(/^No plan/);
@@ -233,7 +237,7 @@ async function answered(playground) {
   await playground.showTab("Inspector");
   await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
   await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
-  await playground.button("Take the other plan").waitFor();
+  await playground.button("Show the other plan").waitFor();
   await playground.button("Solve").waitFor();
 }
 

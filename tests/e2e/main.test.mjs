@@ -49,7 +49,8 @@ describe("the main flow", () => {
     await inspector.getByRole("heading", { name: waiting.name, level: 2 }).waitFor();
     await focus(playground, inspector.getByRole("button", { name: waiting.question }).first());
     await playground.key("Enter");
-    await playground.button("Take the other plan").waitFor();
+    await focus(playground, playground.button("Show the other plan"));
+    await playground.key("Enter");
     await playground.other.waitFor();
     await focus(playground, playground.button("Take the other plan"));
     await playground.key("Enter");
@@ -101,8 +102,8 @@ describe("the main flow", () => {
     await page.getByRole("tab", { name: "Inspector" }).tap();
     await inspector.getByRole("heading", { name: waiting.name, level: 2 }).waitFor();
     await inspector.getByRole("button", { name: waiting.question }).first().tap();
-    await playground.button("Show other").tap();
-    await playground.button("Show this").waitFor();
+    await playground.button("Show the other plan").tap();
+    await playground.button("Show this plan").waitFor();
     await playground.button("Take the other plan").tap();
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);

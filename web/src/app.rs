@@ -123,7 +123,9 @@ pub fn App() -> Html {
             </ContextProvider<Clock>>
         };
     }
-    let is_answering = state.document.mode.asking().is_some() || state.is_writing_rule();
+    let is_answering = state.document.mode.asking().is_some()
+        || giveway_page::ledger::column(&state).is_some()
+        || state.is_writing_rule();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
     let has_dock = state

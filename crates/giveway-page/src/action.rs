@@ -4,9 +4,10 @@ mod worker;
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, Question, Scene};
+use giveway_model::{Cell, Scene};
 use giveway_solve::plan::Planner;
 
+use crate::asking::AskAction;
 use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::files::Opened;
@@ -14,6 +15,7 @@ use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
+use crate::ledger::LedgerAction;
 use crate::lesson::LessonAction;
 use crate::link::Linked;
 use crate::planners::By;
@@ -21,7 +23,7 @@ use crate::present::Presenting;
 use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
-use crate::{Edit, Fill, Lit, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{ComparedLanes, Edit, Fill, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
 
 pub use worker::WorkerAction;
 
@@ -56,6 +58,8 @@ pub enum Action {
     Find(FindAction),
     /// What all best plans share is laid over the plan.
     Freedom(FreedomAction),
+    /// Who costs whom is asked of the plan.
+    Ledger(LedgerAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.
@@ -196,23 +200,6 @@ pub enum SolveAction {
     SaveProof,
 }
 
-/// Questions.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AskAction {
-    /// Ask a question about the plan that is shown.
-    Ask(Question),
-    /// Ask the question again whose answer was cut off.
-    Again,
-    /// Leave the question.
-    Close,
-    /// Show the other plan, or this one again.
-    ShowOther(bool),
-    /// Light something of the answer up on the map.
-    Light(Option<Lit>),
-    /// Make the other plan the plan.
-    TakeOther,
-    /// Make the edits of a repair, by its index.
-    TakeRepair(usize),
 }
 
 /// The world changes while a plan runs.
@@ -243,6 +230,8 @@ pub enum PlayAction {
     Pause,
     /// Show a time.
     Seek(u32),
+    /// The next time at which two plans differ, or the one before (`false`).
+    Difference(bool),
     /// One step on.
     StepForward,
     /// One step back.
@@ -262,6 +251,8 @@ pub enum ViewAction {
     ShowTrails(bool),
     /// Shades cells by how much they are used, or not.
     ShowHeat(bool),
+    /// Which lanes are shown while two plans are compared.
+    ShowLanes(ComparedLanes),
     /// Lets the camera go with the agent selected, or not.
     Follow(bool),
     /// Shows or hides the plan table.

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
-use giveway_model::{Cost, Question};
+use giveway_model::{Cost, Objective, Question};
 use giveway_proof::Report;
 use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest};
 use giveway_solve::{Limits, Reason, SolveAnswer, Stats, Status};
@@ -22,10 +22,15 @@ pub struct Asking {
     pub told: Option<Rc<ExplainAnswer>>,
     /// The other plan, as the board shows plans.
     pub other: Option<Rc<Answer>>,
-    /// Whether the other plan is shown instead of this one.
+    /// Whether the other plan is shown: beside this one, or in its place where there is no room
+    /// for two.
     pub shows_other: bool,
+    /// The time that was shown before the other plan was opened.
+    pub(crate) time_before: Option<u32>,
     /// The fact or the collision that is lit up on the map.
     pub lit: Option<Lit>,
+    /// Whether all robots that differ have a row, not only those that lose most.
+    pub is_unfolded: bool,
     /// What came of checking its proof.
     pub report: Option<Rc<Report>>,
 }
@@ -37,6 +42,29 @@ pub enum Lit {
     Witness(usize),
     /// A fact of the minimal sets, by its index among the facts of all of them.
     Fact(usize),
+    /// A robot that pays or gains, by its index.
+    Robot(usize),
+}
+
+/// Questions.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AskAction {
+    /// Ask a question about the plan that is shown.
+    Ask(Question),
+    /// Ask the question again whose answer was cut off.
+    Again,
+    /// Leave the question.
+    Close,
+    /// Show the other plan, or this one again.
+    ShowOther(bool),
+    /// Light something of the answer up on the map.
+    Light(Option<Lit>),
+    /// Give each robot that differs a row.
+    Unfold,
+    /// Make the other plan the plan.
+    TakeOther,
+    /// Make the edits of a repair, by its index.
+    TakeRepair(usize),
 }
 
 impl Asking {
@@ -71,7 +99,9 @@ impl Asking {
             told: None,
             other: None,
             shows_other: false,
+            time_before: None,
             lit: None,
+            is_unfolded: false,
             report: None,
         }
     }
@@ -86,6 +116,12 @@ impl Asking {
     /// that world, not for the scene.
     pub(crate) fn can_be_repaired(&self) -> bool {
         self.about.course.is_none()
+    }
+
+    /// The costs by which plans are compared, the most important first.
+    pub(crate) fn objective(&self) -> &Objective {
+        let asked = self.request.objective.as_ref();
+        asked.unwrap_or(&self.about.draft.scene().objective)
     }
 
     /// The question.
@@ -118,8 +154,7 @@ impl Asking {
         let (plan, costs) = (told.alternative.clone()?, told.costs?);
         let solved = &self.about.solved;
         let is_equal = told.deltas.values().all(|&delta| delta == 0);
-        let objective = &self.about.draft.scene().objective;
-        let objective = self.request.objective.as_ref().unwrap_or(objective);
+        let objective = self.objective();
         let is_least = |cost: &Cost| solved.bounds.get(cost) == Some(&costs.get(*cost));
         let is_least = objective.costs().iter().all(is_least);
         let status = match solved.status {

@@ -8,6 +8,7 @@ use giveway_proof::Report;
 use crate::course::World;
 use crate::freedom::Freedom;
 use crate::front::Front;
+use crate::ledger::Ledger;
 use crate::planners::Runs;
 use crate::{Activity, Answer, Colours, Draft, Looks, Mode};
 
@@ -35,6 +36,8 @@ pub struct Document {
     /// What all best plans have in common; it may be of an older answer, see
     /// [`Document::freedom`].
     pub(crate) found_freedom: Option<Rc<Freedom>>,
+    /// Who costs whom; it may be of an older answer, see [`Document::ledger`].
+    pub(crate) found_ledger: Option<Rc<Ledger>>,
     /// What is being done with the plan.
     pub mode: Mode,
     /// Which look each agent has: its form, and the colour that comes with it.
@@ -54,6 +57,7 @@ impl Document {
             found_plans: None,
             checked: None,
             found_freedom: None,
+            found_ledger: None,
             mode: Mode::default(),
             looks: Looks::default(),
             colours: Colours::default(),

@@ -18,6 +18,7 @@ mod answer;
 pub mod ask;
 mod asking;
 pub mod audit;
+pub mod beside;
 pub mod board;
 pub mod certificate;
 pub mod changing;
@@ -38,6 +39,7 @@ pub mod intake;
 mod kept;
 pub mod keys;
 mod known;
+pub mod ledger;
 pub mod lesson;
 mod line;
 pub mod link;
@@ -71,11 +73,11 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction,
-    SolveAction, ViewAction, WorkerAction,
+    Action, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, SolveAction,
+    ViewAction, WorkerAction,
 };
 pub use answer::Answer;
-pub use asking::{Asking, Lit};
+pub use asking::{AskAction, Asking, Lit};
 pub use document::Document;
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{DENSEST, Edit, Fill, Paint, RuleEdit};
@@ -94,5 +96,5 @@ pub use settings::{Settings, Theme};
 pub use slot::SlotAction;
 pub use state::{By, Displaced, Notice, NoticeKind, State};
 pub use tool::Tool;
-pub use view::{Layers, Place, Selection, Sought, Tab, View};
+pub use view::{ComparedLanes, Layers, Place, Selection, Sought, Tab, View};
 pub use work::{Adapting, Arrival, Certifies, Certifying, Job, Size, Solving, Task, Work};

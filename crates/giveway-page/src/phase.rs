@@ -46,7 +46,7 @@ impl State {
             Some(Task::Solve(_)) => return Phase::Solving,
             Some(Task::Explain(_)) => return Phase::Asking,
             Some(Task::Certify(_) | Task::Export(_)) => return Phase::Checking,
-            Some(Task::Freedom(_)) => return Phase::Counting,
+            Some(Task::Freedom(_) | Task::Delays(_)) => return Phase::Counting,
             Some(Task::Change(_)) => return Phase::Adapting,
             Some(Task::Look(_) | Task::Price(..)) | None => {}
         }

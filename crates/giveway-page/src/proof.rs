@@ -132,7 +132,7 @@ fn outcome(report: &Report) -> Outcome {
         (true, _) if shown == 0 => (tr!("Not checked"), "clock", "unknown"),
         (true, _) => (tr!("Partly checked"), "clock", "unknown"),
         (false, true) => (tr!("Not checked"), "clock", "unknown"),
-        (false, false) => (tr!("Rejected"), "cancel", "necessary"),
+        (false, false) => (tr!("Rejected"), "cancel", "broken"),
     };
     let reason = report.reason.as_deref().unwrap_or_default();
     let sentence = match (report.accepted, report.stopped) {

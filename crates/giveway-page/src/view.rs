@@ -6,6 +6,7 @@ use giveway_model::Cell;
 use crate::find::Find;
 use crate::freedom::Overlay;
 use crate::gesture::Gesture;
+use crate::ledger::LedgerView;
 use crate::planners::By;
 use crate::present::Presenting;
 use crate::rules::RulesView;
@@ -73,6 +74,16 @@ pub struct Sought {
     pub(crate) number: u32,
 }
 
+/// Which lanes are shown while two plans are compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ComparedLanes {
+    /// Those of the robots that differ.
+    #[default]
+    Differing,
+    /// Those of all robots.
+    All,
+}
+
 /// What is shown and how.
 #[derive(Clone, Debug, PartialEq)]
 pub struct View {
@@ -84,6 +95,8 @@ pub struct View {
     pub playback: Playback,
     /// What the inspector tells of.
     pub selection: Selection,
+    /// The agent that was selected before a cell was: questions at the cell are about it.
+    pub(crate) asker: Option<usize>,
     /// What the pointer does on the board.
     pub tool: Tool,
     /// What the hand is doing on the board.
@@ -106,6 +119,10 @@ pub struct View {
     pub(crate) rules: RulesView,
     /// What is laid over the plan: what must be so.
     pub(crate) overlay: Overlay,
+    /// How the ledger of delays is shown.
+    pub(crate) ledger: LedgerView,
+    /// Which lanes are shown while two plans are compared.
+    pub lanes: ComparedLanes,
     /// Whether the plan table is open.
     pub table: bool,
     /// Light or dark.
@@ -128,6 +145,7 @@ impl Default for View {
             presenting: Presenting::Off,
             playback: Playback::default(),
             selection: Selection::Nothing,
+            asker: None,
             tool: Tool::Select,
             gesture: Gesture::None,
             cursor: Cell::new(0, 0),
@@ -139,6 +157,8 @@ impl Default for View {
             versus: None,
             rules: RulesView::default(),
             overlay: Overlay::default(),
+            ledger: LedgerView::default(),
+            lanes: ComparedLanes::default(),
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::{Cost, Costs, Plan, Question};
 use giveway_solve::change::ChangeRequest;
+use giveway_solve::delays::DelaysRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::freedom::FreedomRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
@@ -52,6 +53,8 @@ pub enum Task {
     Freedom(Rc<FreedomRequest>),
     /// What each rule costs is looked for; what is known stands beside the document.
     Price(Rc<Draft>, Rc<PriceRequest>),
+    /// Who costs whom is added up; what is known stands in the document.
+    Delays(Rc<DelaysRequest>),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -235,6 +238,7 @@ impl Task {
             Self::Look(looking) => looking.request(),
             Self::Freedom(request) => Request::Freedom((**request).clone()),
             Self::Price(_, request) => Request::Price((**request).clone()),
+            Self::Delays(request) => Request::Delays((**request).clone()),
         }
     }
 
@@ -256,6 +260,11 @@ impl Task {
             }
             Self::Freedom(request) => Certifies::Freedom(Rc::clone(request)).is_in(document),
             Self::Price(draft, request) => is_of(draft, request.within, document),
+            Self::Delays(request) => {
+                let ledger = document.ledger();
+                ledger.is_some_and(|ledger| Rc::ptr_eq(&ledger.request, request))
+                    && document.mode.is_editing()
+            }
         }
     }
 }

@@ -91,6 +91,7 @@ async function leads(sitting) {
     }
     await sitting.calm();
     if (dice.oneIn(2)) {
+      await pressIf(playground.button("Show the other plan"));
       await pressIf(playground.button("Take the other plan"));
     }
   } else if (next === "Discard") {

@@ -92,6 +92,7 @@ async function asks(sitting) {
   }
   await sitting.calm();
   if (next === "take") {
+    await pressIf(playground.button("Show the other plan"));
     await pressIf(playground.button("Take the other plan"));
   } else if (next === "repair") {
     await pressIf(inspector.getByRole("listitem").filter({ hasText: /makespan \d+/ }).getByRole("button"));

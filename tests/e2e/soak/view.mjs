@@ -2,7 +2,7 @@
 
 import { pressIf } from "./hands.mjs";
 
-const BUTTONS = ["Play", "To start", "Step back", "Step forward", "To end", "Trails", "Heat map", "Plan table", "Theme", "Zoom in", "Zoom out", "Fit", "Show other", "Show this"];
+const BUTTONS = ["Play", "To start", "Step back", "Step forward", "To end", "Trails", "Heat map", "Plan table", "Theme", "Zoom in", "Zoom out", "Fit", "Show the other plan", "Show this plan", "Keep this plan", "Next difference"];
 
 async function looks(sitting) {
   for (let times = 1 + sitting.dice.roll(4); times > 0; times -= 1) {

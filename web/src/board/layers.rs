@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, sorting};
 use giveway_page::Draft;
-use giveway_page::audit::ahead;
-use giveway_page::board::{Cast, Detail, FloorLook};
+use giveway_page::beside::ahead;
+use giveway_page::board::{Cast, Detail, FloorLook, lit};
 use giveway_page::inside::{Method, Overlay};
 use yew::prelude::*;
 
@@ -56,7 +56,7 @@ pub(super) fn layers(
     sight: &Sight,
     overlay: &Overlay,
 ) -> Html {
-    let lit = overlay.lit.clone();
+    let lit = overlay.lit.clone().or_else(|| lit(state));
     let is_proof = state.is_inside() && state.inside.method == Method::Proof;
     let frame = sight.get();
     let detail = frame.detail();

@@ -8,6 +8,7 @@ use giveway_page::inside::Sign;
 use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
+use super::differences;
 use super::viewport::Look;
 use crate::{glyph, icon, slot};
 
@@ -51,10 +52,13 @@ pub(super) fn under(props: &Under<'_>) -> Html {
         None => props.kinds.iter().map(kind).collect(),
     };
     let said = slot::said(props.state);
+    let differences = differences::row(props.state, props.send).filter(|_| said.is_none());
+    let is_covered = said.is_some() || differences.is_some();
     html! {
         <div class="under">
             { slot::show(props.state, said.as_ref(), props.send) }
-            <ul class="legend" aria-label={tr!("Legend")} hidden={said.is_some()}>{ signs }</ul>
+            <ul class="legend" aria-label={tr!("Legend")} hidden={is_covered}>{ signs }</ul>
+            { differences }
             <div class="zoom" role="group" aria-label={tr!("View")}>
                 { find(props) }
                 { follow(props) }

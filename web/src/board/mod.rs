@@ -10,6 +10,7 @@ mod beside;
 mod casts;
 mod cells;
 mod coalesced;
+mod differences;
 mod film;
 mod floor;
 mod follow;
@@ -21,6 +22,7 @@ mod keys;
 mod layers;
 mod legend;
 mod lesson;
+mod losses;
 mod marks;
 mod minimap;
 mod motion;
@@ -39,11 +41,12 @@ use giveway_model::words::Later;
 use giveway_model::{tr, tr_later};
 use std::rc::Rc;
 
+use giveway_page::beside as titles;
 use giveway_page::board::{
     CELL, Camera, Cast, Frame, Kind, Minimap, PRESENTED_CELL_PX, Window, legend,
 };
 use giveway_page::freedom::{claim, notes};
-use giveway_page::{Action, Answer, Selection, Tool, ask, words};
+use giveway_page::{Action, Answer, Selection, Tool, ask, ledger, words};
 use yew::prelude::*;
 
 use crate::board::beside::BesideProps;
@@ -146,6 +149,7 @@ pub fn Board(props: &BoardProps) -> Html {
         (state.view.playback.time > 0).then_some("later"),
         (state.view.tool != Tool::Select).then_some("brush-on"),
         (!viewport.camera.is_fit()).then_some("near"),
+        state.shows_losses().then_some("lossy"),
     );
     let cursor = state.view.cursor;
     let board_now = html! {
@@ -161,6 +165,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch("hatch") }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay) }
+                { losses::losses(state, frame.cell_px) }
                 { part::<ReasonMarks>(ReasonsProps { reasons, cell_px: frame.cell_px }) }
                 { part::<InsideMarks>(MarksProps { overlay: overlay.clone(), cell_px: frame.cell_px, columns: board.0 }) }
                 { problems(state) }
@@ -172,7 +177,7 @@ pub fn Board(props: &BoardProps) -> Html {
                     }
                     <rect class="hover" ref={hover} width="94" height="94" rx="15" visibility="hidden" />
                 </g>
-                { part::<Cells>(CellsProps { of: BOARD.english(), draft: Rc::clone(state.world()), cast: Rc::clone(&cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: notes(state) }) }
+                { part::<Cells>(CellsProps { of: BOARD.english(), draft: Rc::clone(state.world()), cast: Rc::clone(&cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: ledger::notes(state).unwrap_or_else(|| notes(state)) }) }
                 { freedom::presses(state, detail) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
@@ -180,7 +185,7 @@ pub fn Board(props: &BoardProps) -> Html {
     };
     let below = Under {
         kinds,
-        signs: giveway_page::inside::legend(state, &overlay),
+        signs: giveway_page::inside::legend(state, &overlay).or_else(|| ledger::legend(state)),
         look: &look,
         is_fit: viewport.camera.is_fit(),
         is_nearest: viewport.is_nearest(board),
@@ -193,7 +198,7 @@ pub fn Board(props: &BoardProps) -> Html {
             <div class={classes!("boards", other.is_some().then_some("pair"))}>
                 <figure class="pl">
                     if other.is_some() {
-                        { caption(if state.document.mode.steering().is_some() { tr!("Your plan") } else { tr!("This plan") }, state.shown(), None) }
+                        { caption(&titles::title(state), state.shown(), None) }
                     }
                     { board_now }
                     if let Some(map) = map {
@@ -205,7 +210,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 </figure>
                 if let Some(other) = other {
                     <figure class="pl other">
-                        { caption(OTHER.text(), state.beside(), ask::closeness(state).or_else(|| claim(state))) }
+                        { caption(&titles::other_title(state), state.beside(), ask::closeness(state).or_else(|| claim(state))) }
                         { part::<Beside>(BesideProps { name: OTHER, state: state.clone(), cast: other, versus: Some(Rc::clone(&cast)), camera: viewport.camera, onkeydown }) }
                     </figure>
                 }
@@ -233,13 +238,13 @@ fn fit(look: &Callback<viewport::Look>) -> Html {
 
 /// What stands above one of two plans: which it is, what is claimed of it, and
 /// its costs.
-fn caption(title: &'static str, answer: Option<&Rc<Answer>>, claim: Option<&'static str>) -> Html {
+fn caption(title: &str, answer: Option<&Rc<Answer>>, claim: Option<&'static str>) -> Html {
     let costs = answer.and_then(|answer| {
         let objective = &answer.draft.scene().objective;
         Some(words::values(objective, &answer.solved.costs?))
     });
     html! {
-        <figcaption><b>{ title }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
+        <figcaption><b>{ title.to_owned() }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
     }
 }
 

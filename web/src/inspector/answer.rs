@@ -2,11 +2,13 @@
 //! what excludes it, what would help.
 
 use giveway_model::tr;
-use giveway_page::ask::{Card, CostRow, FactRow, Facts, Happening, Offered, Other};
+use giveway_page::ask::{Card, FactRow, Facts, Happening, Offered, Other};
+use giveway_page::beside::DifferenceRow;
 use giveway_page::{Action, AskAction, Lit, PlayAction};
 use yew::prelude::*;
 
-use crate::{glyph, icon};
+use super::pays::{verdict_card, who_pays};
+use crate::icon;
 
 /// What scrolls of the card.
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
@@ -25,20 +27,14 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 <h2>{ card.question.clone() }</h2>
             </header>
             <div class="verdict-at" aria-live="polite">
-                if let Some((badge, words)) = &card.verdict {
-                    <div class={classes!("verdict", badge.class)}>
-                        <p class="vb">{ icon::show(badge.icon) }<b>{ badge.word }</b></p>
-                        <p class="vs">{ words.clone() }</p>
-                    </div>
-                }
+                if let Some(verdict) = &card.verdict { { verdict_card(verdict) } }
             </div>
             // Without a plan to show, what would help is the next step.
             if card.other.is_none() && !card.repairs.is_empty() {
                 { repairs(card, true, send) }
             }
-            if !card.rows.is_empty() {
-                { costs(&card.rows, tr!("Both plans"), [tr!("This"), tr!("Other")]) }
-            }
+            if let Some(pays) = &card.pays { { who_pays(pays, send) } }
+            if !card.differences.is_empty() { { what_differs(&card.differences, send) } }
             if !is_numbered {
                 { for card.witness.iter().map(|(title, happenings)| witness(title, happenings, send)) }
             }
@@ -59,72 +55,53 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     }
 }
 
-/// What stays at the foot of it.
+/// What stays at the foot of it: first to open the other plan, then to decide.
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let Some(Other {
         is_shown,
         is_beside,
-        ..
     }) = card.other
     else {
         return html! {};
     };
-    let second = if is_beside {
-        // Both are there to be seen: what is left is to decide.
-        html! {
-            <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>
-                { icon::show("cancel") }{ tr!("Keep this") }
-            </button>
-        }
-    } else {
-        html! {
-            <button type="button" class="btn outline" aria-pressed={is_shown.to_string()}
-                onclick={send.reform(move |_| Action::Ask(AskAction::ShowOther(!is_shown)))}>
-                { icon::show("compare") }{ if is_shown { tr!("Show this") } else { tr!("Show other") } }
-            </button>
-        }
-    };
+    let show = |on: bool| send.reform(move |_| Action::Ask(AskAction::ShowOther(on)));
+    if !is_shown {
+        return html! {
+            <footer class="foot">
+                <button type="button" class="btn primary" title={tr!("Show the other plan (n)")} onclick={show(true)}>
+                    { icon::show("compare") }{ tr!("Show the other plan") }
+                </button>
+                <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>{ tr!("Done") }</button>
+            </footer>
+        };
+    }
     html! {
         <footer class="foot">
-            <button type="button" class="btn primary" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>
-                { icon::show("check") }{ tr!("Take the other plan") }
+            <button type="button" class="btn primary" onclick={show(false)}>
+                if is_beside { { icon::show("check") }{ tr!("Keep this plan") } } else { { icon::show("compare") }{ tr!("Show this plan") } }
             </button>
-            { second }
+            <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>{ tr!("Take the other plan") }</button>
         </footer>
     }
 }
 
-/// Costs of two plans side by side, under a heading each.
-pub(super) fn costs(
-    rows: &[CostRow],
-    name: &'static str,
-    [this, other]: [&'static str; 2],
-) -> Html {
-    let row = |row: &CostRow| {
-        let class = match row.other.cmp(&row.this) {
-            std::cmp::Ordering::Less => "d better",
-            std::cmp::Ordering::Equal => "d same",
-            std::cmp::Ordering::Greater => "d worse",
-        };
+/// The times at which the plans begin to differ: pressing one shows it.
+fn what_differs(rows: &[DifferenceRow], send: &Callback<Action>) -> Html {
+    let row = |row: &DifferenceRow| {
+        let time = row.time;
         html! {
-            <tr>
-                <th scope="row">
-                    if let Some(agent) = row.agent { { glyph::show(agent, "cost-glyph") } }
-                    { row.title.clone() }
-                </th>
-                <td>{ row.this }</td><td>{ row.other }</td><td {class}>{ row.difference() }</td>
-            </tr>
+            <li><button type="button" class={classes!("differs", row.is_now.then_some("on"))} aria-current={row.is_now.then_some("step")}
+                onclick={send.reform(move |_| Action::Play(PlayAction::Seek(time)))}>
+                { icon::show("compare") }
+                <span>{ tr!("At time {time}", time) }<small>{ row.who.clone() }</small></span>
+            </button></li>
         }
     };
     html! {
-        <table class="compare" aria-label={name}>
-            <thead><tr>
-                <th scope="col"><span class="vh">{ tr!("Cost") }</span></th>
-                <th scope="col">{ this }</th><th scope="col">{ other }</th>
-                <th scope="col"><span class="vh">{ tr!("Difference") }</span></th>
-            </tr></thead>
-            <tbody>{ for rows.iter().map(row) }</tbody>
-        </table>
+        <section>
+            <h3>{ tr!("What differs") }</h3>
+            <ul class="repairs">{ for rows.iter().map(row) }</ul>
+        </section>
     }
 }
 

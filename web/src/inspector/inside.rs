@@ -22,6 +22,7 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
             <header class="qh">
                 <p class="over">{ column.over.clone() }</p>
                 <h2>{ column.title.clone() }</h2>
+                if let Some(about) = &column.about { <p class="lead">{ about.clone() }</p> }
             </header>
             if let Some(verdict) = &column.verdict { { told(verdict) } }
             if !column.why.is_empty() {

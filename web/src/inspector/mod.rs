@@ -10,6 +10,8 @@ mod edit;
 mod freedom;
 mod front;
 mod inside;
+mod ledger;
+mod pays;
 mod planners;
 mod proof;
 mod questions;
@@ -58,6 +60,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
     let step = giveway_page::inside::column(state);
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
+    let losses = giveway_page::ledger::column(state);
+    let losses = losses.filter(|_| state.view.selection == Selection::Nothing);
     // Without a plan that has lanes a phone has no tabs: this place is all there is.
     let has_lanes = state.plan().is_some() && state.awaited().is_none();
     let alone = (!has_lanes && !state.is_inside()).then_some("alone");
@@ -73,6 +77,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             } else if let Some(card) = ask::card(state) {
                 <div class="scroll">{ answer::show(&card, send) }{ proof::show(state, send) }</div>
                 { answer::foot(&card, send) }
+            } else if let Some(column) = losses {
+                <div class="scroll" key="ledger">{ ledger::show(&column, send) }</div>
+                { ledger::foot(&column, send) }
             } else if let Some(facts) = &elsewhere {
                 <div class="scroll" key={format!("audit {}", facts.file)}>
                     { audit::show(facts, giveway_page::audit::conflicts(state).as_ref(), &opened, send) }

@@ -7,7 +7,7 @@ use giveway_page::steering::{Facts, Lead, facts};
 use giveway_page::{Action, PlayAction, Selection, State};
 use yew::prelude::*;
 
-use super::{agent, answer, cell};
+use super::{agent, cell, pays};
 use crate::{Shown, glyph, icon};
 
 /// The button that begins to lead the agent that is selected; nothing where it
@@ -79,7 +79,7 @@ fn led(state: &State, facts: &Facts, send: &Callback<Action>) -> Html {
             }
             <section>
                 <h3>{ if facts.to_do.is_empty() { tr!("Costs") } else { tr!("Costs so far") } }</h3>
-                { answer::costs(&facts.rows, tr!("Costs of both plans"), [tr!("Plan"), tr!("Yours")]) }
+                { pays::costs(&facts.rows, tr!("Costs of both plans"), [tr!("Plan"), tr!("Yours")]) }
             </section>
             <p class="remark">{ tr!("Select another robot to lead it in the same plan, too.") }</p>
         </>

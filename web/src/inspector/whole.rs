@@ -9,7 +9,7 @@ use giveway_page::inspect::{CostFacts, whole};
 use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
 use yew::prelude::*;
 
-use super::{audit, change, edit, freedom, front, planners, proof, rules};
+use super::{audit, change, edit, freedom, front, ledger, planners, proof, rules};
 use crate::part::part;
 use crate::{Shown, glyph, icon};
 
@@ -42,6 +42,7 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                     { proof::show(state, send) }
                     { audit::begin(question(state), send) }
                     { freedom::begin(state, send) }
+                    { ledger::begin(state, send) }
                 </section>
             }
             { rules::show(state, send) }

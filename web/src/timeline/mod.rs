@@ -7,6 +7,7 @@ mod inside;
 mod lane;
 mod plan;
 mod plan_table;
+mod rest;
 mod ruler;
 mod same;
 mod seen;

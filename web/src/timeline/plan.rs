@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::tr;
 use giveway_page::audit;
+use giveway_page::beside as compared;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
@@ -15,6 +16,7 @@ use super::epochs;
 use super::head::{Moved, use_head};
 use super::lane::LaneRow;
 use super::plan_table::PlanTable;
+use super::rest;
 use super::ruler::Ruler;
 use super::same::Same;
 use super::seen::{Extent, Seen, use_seen};
@@ -47,10 +49,17 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         send,
     } = props;
     let draft = Same::new(Rc::clone(&state.document.draft));
+    // While two plans are compared: the robots that differ.
+    let only = notes.is_none().then(|| compared::lanes(state)).flatten();
     let lanes = use_memo(
-        (answer.clone(), draft.clone(), notes.clone()),
-        |(answer, draft, notes)| {
+        (answer.clone(), draft.clone(), notes.clone(), only.clone()),
+        |(answer, draft, notes, only)| {
             let mut lanes = table::lanes(answer, draft);
+            if let Some(only) = only {
+                let place = |lane: &Lane| only.iter().position(|name| *name == lane.name);
+                lanes.retain(|lane| place(lane).is_some());
+                lanes.sort_by_key(place);
+            }
             if let Some(notes) = notes {
                 let place = |lane: &Lane| notes.iter().position(|note| note.agent == lane.agent);
                 lanes.sort_by_key(place);
@@ -191,6 +200,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                         { for seen.lanes.clone().map(lane_row) }
                         { spacer(below) }
                     </div>
+                    { rest::show(state, lanes.len(), send) }
                     { epochs::show(state, axis) }
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>

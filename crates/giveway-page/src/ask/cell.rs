@@ -10,7 +10,8 @@ use crate::words::at;
 /// The most agents whose visits are asked about.
 const AGENTS: usize = 3;
 
-pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
+/// The questions; first whether `asker` passes, the agent that was selected before the cell.
+pub(super) fn groups(answer: &Answer, cell: Cell, asker: Option<usize>) -> Vec<Group> {
     let grid = answer.draft.grid();
     let ground = grid.ground(cell);
     if ground.is_none() || ground == Some(Ground::Obstacle) {
@@ -19,7 +20,16 @@ pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
     let lanes = (0..answer.draft.agents().len()).filter_map(|agent| Lane::of(answer, agent));
     let passes = |lane: &Lane| lane.entry == cell || lane.steps.iter().any(|s| s.to == cell);
     let mut offers: Vec<Offer> = Vec::new();
+    let own = asker.and_then(|agent| Lane::of(answer, agent));
+    if let Some(lane) = own.filter(|lane| !passes(lane)) {
+        let agent = Some(lane.name);
+        offers.push(Offer::new(
+            "question",
+            Question::NoVisit { agent, at: cell },
+        ));
+    }
     let mut nobody = true;
+    let mut visits: Vec<(bool, Offer)> = Vec::new();
     for lane in lanes {
         if passes(&lane) {
             nobody = false;
@@ -33,11 +43,15 @@ pub(super) fn groups(answer: &Answer, cell: Cell) -> Vec<Group> {
             let must = given.is_some_and(|agent| {
                 agent.start == cell || agent.goal == Some(cell) || agent.waypoints.contains(&cell)
             });
-            if !must && offers.len() < AGENTS {
-                offers.push(Offer::new("question", visit));
+            if !must {
+                visits.push((asker != Some(lane.agent), Offer::new("question", visit)));
             }
         }
     }
+    // That of the agent that was selected comes first.
+    visits.sort_by_key(|visit| visit.0);
+    let visits = visits.into_iter().map(|visit| visit.1);
+    offers.extend(visits.take(AGENTS));
     if nobody {
         offers.push(Offer::new(
             "question",

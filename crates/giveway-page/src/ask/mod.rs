@@ -14,8 +14,8 @@ pub(crate) use signs::other_causes;
 
 pub(crate) use card::numbers_facts;
 pub use card::{
-    Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, card, closeness,
-    offers_next_step,
+    Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays, card,
+    closeness, offers_next_step,
 };
 use giveway_model::{Question, question::fits, tr};
 
@@ -97,7 +97,13 @@ pub fn offers(state: &State) -> Vec<Group> {
             groups.extend(plan::groups(answer));
             groups
         }
-        Selection::Cell(cell) => cell::groups(answer, cell),
+        Selection::Cell(cell) => {
+            let asker = state
+                .view
+                .asker
+                .and_then(|agent| answer.agent(state.world(), agent));
+            cell::groups(answer, cell, asker)
+        }
         Selection::Nothing => plan::groups(answer),
     };
     match answer.changed_last() {

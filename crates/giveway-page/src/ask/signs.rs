@@ -42,8 +42,8 @@ pub(crate) fn other_causes(asking: &Asking) -> Option<String> {
 
 pub(super) fn badge(told: &ExplainAnswer) -> Badge {
     let (icon, class) = match (&told.question, told.verdict) {
-        _ if told.valid == Some(false) => ("collision", "necessary"),
-        (Question::Unsolvable, Verdict::Necessary) => ("cancel", "necessary"),
+        _ if told.valid == Some(false) => ("collision", "broken"),
+        (Question::Unsolvable, Verdict::Necessary) => ("cancel", "broken"),
         (Question::Plan, Verdict::Needless) => ("proved", "needless"),
         (_, Verdict::Needless | Verdict::Improvable) => ("compare", "needless"),
         (_, Verdict::Costly) => ("warning", "costly"),

@@ -133,3 +133,38 @@ fn every_question_at_every_time_can_be_asked() {
         }
     }
 }
+
+#[test]
+fn at_a_cell_the_robot_that_was_selected_is_asked_about_first() {
+    let select = |selection| Action::Board(BoardAction::Select(selection));
+    let cell = |x, y| select(Selection::Cell(Cell::new(x, y)));
+    let state = reduce(&sample::solved(), select(Selection::Agent(1)));
+    let there = reduce(&state, cell(6, 0));
+    let elsewhere = (0..9).flat_map(|x| (0..4).map(move |y| (x, y)));
+    let mut passed = 0;
+    for (x, y) in elsewhere {
+        let state = reduce(&there, cell(x, y));
+        let groups = offers(&state);
+        let Some(group) = groups.first() else {
+            continue;
+        };
+        // Another cell is looked at: it is still about the same robot.
+        let own = |offer: &&Offer| offer.question.agent() == Some("A2");
+        let own: Vec<&Offer> = group.offers.iter().filter(own).collect();
+        let first = own.first().map(|offer| &offer.question);
+        if let Some(Question::NoVisit { .. } | Question::Visit { .. }) = first {
+            passed += 1;
+            assert_eq!(group.offers[0], *own[0], "it comes first");
+        }
+    }
+    assert!(passed > 5, "{passed} cells have a question about it");
+    // Without a robot before, A1 and A2 come in their order.
+    let texts = |state: &State| texts(state)[0].1.clone();
+    let alone = reduce(&sample::solved(), cell(3, 2));
+    assert!(texts(&alone)[0].starts_with("Why does A1 pass (3, 2)?"));
+    let asked = reduce(&there, cell(3, 2));
+    assert!(texts(&asked)[0].starts_with("Why does A2 pass (3, 2)?"));
+    let back = reduce(&there, select(Selection::Nothing));
+    let again = reduce(&back, cell(3, 2));
+    assert_eq!(texts(&again), texts(&alone), "it is forgotten");
+}

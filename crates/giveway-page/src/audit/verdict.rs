@@ -50,14 +50,14 @@ pub(super) fn verdict(audit: &Audit, known: &Known, is_running: bool) -> Verdict
             fit
         );
         new(
-            ["necessary", "cancel", tr!("Not for this scene")],
+            ["broken", "cancel", tr!("Not for this scene")],
             String::new(),
             sentence,
         )
     } else {
         let sentence = illegal(audit, costs, known);
         new(
-            ["necessary", "cancel", tr!("Not legal")],
+            ["broken", "cancel", tr!("Not legal")],
             broken(plan),
             sentence,
         )

@@ -30,7 +30,7 @@ pub use legend::{Kind, legend};
 pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub(crate) use place::place_of;
-pub use reasons::{Later, Place, Reasons, Spot, Try, reasons};
+pub use reasons::{Later, Place, Reasons, Spot, Try, lit, reasons};
 pub use rules::{LaneShape, RuleShapes, SignKind, TagShape, ZoneShape, now, rule_shapes};
 pub(crate) use shade::shade;
 pub(crate) use star::middle;

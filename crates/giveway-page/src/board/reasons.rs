@@ -51,7 +51,7 @@ pub struct Reasons {
     pub tries: Vec<Try>,
     /// The cells of the minimal sets.
     pub places: Vec<Place>,
-    /// The agents of the fact that is lit up, by their indices.
+    /// The agents of the row or the fact that is lit up, by their indices.
     pub agents: Vec<usize>,
     /// What is against the rules of the plan at the time shown.
     pub bursts: Vec<ConflictPlace>,
@@ -104,6 +104,9 @@ pub fn reasons(state: &State) -> Reasons {
     let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
         return reasons;
     };
+    if let Some(Lit::Robot(agent)) = asking.lit {
+        reasons.agents = vec![agent];
+    }
     let is_numbered = numbers_facts(asking);
     for (index, (_, violation)) in asking.violations().enumerate().take(SPOTS) {
         match place(violation) {
@@ -145,6 +148,15 @@ pub fn reasons(state: &State) -> Reasons {
         }
     }
     reasons
+}
+
+/// The robots that the row or the fact that is lit up is about, by their indices; all others are
+/// faded. `None` where nothing is lit up.
+pub fn lit(state: &State) -> Option<Vec<usize>> {
+    let asking = state.document.mode.asking()?;
+    asking.lit?;
+    let agents = reasons(state).agents;
+    (!agents.is_empty()).then_some(agents)
 }
 
 /// A number beside what stands in the middle of a cell: in the upper left corner,

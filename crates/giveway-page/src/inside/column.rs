@@ -1,7 +1,11 @@
 //! What the column beside the board says of the step that is looked at.
 
+use giveway_model::tr;
+use giveway_model::words::capital;
+use giveway_solve::plan::Planner;
+
 use super::{InsideAction, Method, node, order, proof};
-use crate::State;
+use crate::{State, words};
 
 /// What it says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +32,8 @@ pub struct Column {
     pub note: Option<String>,
     /// Whether the record can be saved.
     pub can_export: bool,
+    /// Which planner it is about, where the plan of the scene is another planner's.
+    pub about: Option<String>,
     /// A remark.
     pub remark: Option<String>,
     /// What stays at its foot.
@@ -64,7 +70,7 @@ impl Tint {
             Self::Told => ("", "clock"),
             Self::Proved => ("checked", "proved"),
             Self::Fine => ("fine", "check"),
-            Self::Stuck => ("necessary", "cancel"),
+            Self::Stuck => ("broken", "cancel"),
         }
     }
 }
@@ -166,9 +172,39 @@ pub fn column(state: &State) -> Option<Column> {
     if !state.is_inside() {
         return None;
     }
-    match state.inside.method {
+    let mut column = match state.inside.method {
         Method::Proof => proof::column(state),
         Method::Tree => node::column(state),
         Method::Orders => order::column(state),
+    }?;
+    column.about = about(state);
+    Some(column)
+}
+
+/// Which planner it is about, where the plan of the scene is another planner's.
+fn about(state: &State) -> Option<String> {
+    let answer = state.document.fresh_answer()?;
+    let costs = answer.solved.costs?;
+    let looked = match state.inside.method {
+        Method::Proof => None,
+        Method::Tree => Some(Planner::Cbs),
+        Method::Orders => Some(Planner::Prioritised),
+    };
+    if answer.by == looked || answer.is_shared {
+        return None;
     }
+    let plan = words::values(&answer.draft.scene().objective, &costs);
+    let planner = |by: Option<Planner>| {
+        by.map_or_else(
+            || tr!("a planner" => "the search for the best plan"),
+            Planner::title,
+        )
+    };
+    let (own, looked) = (planner(answer.by), capital(planner(looked)));
+    Some(tr!(
+        "{looked} on this scene, not the plan by {own}: {plan}.",
+        looked,
+        own,
+        plan
+    ))
 }

@@ -3,6 +3,7 @@
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
+use crate::ledger::LedgerAction;
 use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
@@ -11,8 +12,9 @@ use crate::{
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, the
-/// welcome, robots that are looked at alone, a rule that is being written, a question, what is led, the selection, the changes of the world,
-/// what is laid over the plan.
+/// welcome, robots that are looked at alone, a rule that is being written, the other plan of a
+/// question, the question, what is led, the selection, the changes of the world, the ledger, what is
+/// laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
@@ -40,8 +42,13 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         } else {
             RuleAction::Cancel
         }))
-    } else if state.document.mode.asking().is_some() {
-        Some(Action::Ask(AskAction::Close))
+    } else if let Some(asking) = state.document.mode.asking() {
+        let is_open = asking.shows_other && asking.other.is_some();
+        Some(Action::Ask(if is_open {
+            AskAction::ShowOther(false)
+        } else {
+            AskAction::Close
+        }))
     } else if let Some(own) = state.document.mode.steering() {
         // Another agent or a cell is looked at in between.
         let led = Selection::Agent(own.agent);
@@ -54,6 +61,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Board(BoardAction::Select(Selection::Nothing)))
     } else if state.document.mode.changing().is_some() {
         Some(Action::Change(ChangeAction::Discard))
+    } else if state.ledger().is_some() {
+        Some(Action::Ledger(LedgerAction::Show(false)))
     } else if state.freedom().is_some() {
         Some(Action::Freedom(FreedomAction::Show(false)))
     } else {

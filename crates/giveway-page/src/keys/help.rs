@@ -77,6 +77,10 @@ pub const HELP: [(Later, &[Row]); 6] = [
             row(&["/"], tr_later!("Find a robot by its name")),
             row(&["F"], tr_later!("Follow the robot selected")),
             row(&["N"], tr_later!("Next conflict (of the robot selected)")),
+            row(
+                &["N", "Shift+N"],
+                tr_later!("Next difference of two plans, the one before"),
+            ),
             row(&["M"], tr_later!("What all best plans share")),
             row(&["P"], tr_later!("Present: the board full screen")),
             row(&["?"], tr_later!("This list")),

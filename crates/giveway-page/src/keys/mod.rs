@@ -10,7 +10,9 @@ use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::reduce::only_looks;
 use crate::steering::Lead;
-use crate::{Action, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction};
+use crate::{
+    Action, AskAction, BoardAction, ChangeAction, PlayAction, SolveAction, State, Tool, ViewAction,
+};
 use crate::{freedom, present};
 
 pub use help::{HELP, Row, key_name};
@@ -100,7 +102,8 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             has_agents.then_some(Action::Find(FindAction::Open))
         }
         "Delete" => Some(Action::Board(BoardAction::Delete)),
-        "n" | "N" => state.audit().map(|_| Action::Audit(AuditAction::Next)),
+        "n" | "N" => difference(!key.shift, state)
+            .or_else(|| state.audit().map(|_| Action::Audit(AuditAction::Next))),
         "x" | "X" => state
             .can_change()
             .then_some(Action::Change(ChangeAction::Begin)),
@@ -114,6 +117,18 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     // Before a room, what else a key does cannot be seen.
     let action = action.filter(|action| !is_presented || matches!(action, Action::Play(_)));
     action.map(Command::Act)
+}
+
+/// The next difference of two plans, or the one before; it opens the other plan of an answer.
+fn difference(is_forward: bool, state: &State) -> Option<Action> {
+    if let Some(asking) = state.document.mode.asking() {
+        asking.other.as_ref()?;
+        if !asking.shows_other {
+            return Some(Action::Ask(AskAction::ShowOther(true)));
+        }
+    }
+    let is_compared = state.compared().is_some();
+    is_compared.then_some(Action::Play(PlayAction::Difference(is_forward)))
 }
 
 /// While an agent is led, keys lead it; else one begins that.

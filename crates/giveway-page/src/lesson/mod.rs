@@ -177,6 +177,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Audit(_)
         | Action::Inside(_)
         | Action::Freedom(_)
+        | Action::Ledger(_)
         | Action::Find(_) => Fate::Closed(NOT_NOW.text()),
     }
 }

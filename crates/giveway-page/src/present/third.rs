@@ -42,7 +42,7 @@ pub fn third(state: &State) -> Option<Third> {
     let asking = state.document.mode.asking()?;
     let told = asking.told.as_deref();
     let text = match &card.verdict {
-        Some((_, words)) => opening(words, SENTENCES),
+        Some(verdict) => opening(&verdict.sentence, SENTENCES),
         None => card.pending.first().copied().unwrap_or_default(),
     };
     Some(Third {

@@ -9,6 +9,7 @@ use giveway_solve::explain::{ExplainAnswer, Repair};
 use giveway_solve::{Limits, Reach, SolveAnswer, Stats, Status};
 
 use super::document::{amend, edit_scene, put};
+use super::play::seek;
 use super::{solve, stroke};
 use crate::asking::{Asking, Lit};
 use crate::edit::repair;
@@ -26,6 +27,7 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
         AskAction::Close => close(state),
         AskAction::ShowOther(on) => show_other(state, on),
         AskAction::Light(lit) => light(state, lit),
+        AskAction::Unfold => change(state, |asking| asking.is_unfolded = true),
         AskAction::TakeOther => take_other(state),
         AskAction::TakeRepair(index) => take_repair(state, index),
     }
@@ -101,10 +103,14 @@ fn set_question(state: &mut State, question: Option<Rc<Asking>>) {
     amend(state, document);
 }
 
-/// Leaves the question.
+/// Leaves the question, at the time at which it was asked.
 pub(super) fn close(state: &mut State) {
-    if state.document.mode.asking().is_some() {
+    if let Some(asking) = state.document.mode.asking() {
+        let before = asking.time_before;
         set_question(state, None);
+        if let Some(time) = before {
+            seek(state, time);
+        }
     }
 }
 
@@ -120,11 +126,35 @@ pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
     change(state, |asking| asking.learn(answer));
 }
 
-/// Shows the other plan or this one, at the same time.
+/// Opens the other plan at the first difference, or leaves it: side by side at the time that was
+/// shown before; one in the place of the other at the same time, to be looked at in turn.
 fn show_other(state: &mut State, on: bool) {
-    change(state, |asking| {
-        asking.shows_other = on && asking.other.is_some();
-    });
+    let time = state.view.playback.time;
+    let keeps_time = !state.view.is_wide;
+    let Some(asking) = state.document.mode.asking_mut() else {
+        return;
+    };
+    let is_opened = on && asking.other.is_some();
+    let before = asking.time_before;
+    asking.shows_other = is_opened;
+    asking.time_before = match (is_opened, before) {
+        (true, None) => Some(time),
+        (false, _) if !keeps_time => None,
+        (_, before) => before,
+    };
+    super::document::settle(state);
+    let to = if is_opened && before.is_none() {
+        let differences = state.differences();
+        differences.first().map(|first| first.time)
+    } else if !is_opened && !keeps_time {
+        before
+    } else {
+        // This plan may end before the other one.
+        (time > state.last_time()).then_some(time)
+    };
+    if let Some(time) = to {
+        seek(state, time);
+    }
 }
 
 fn light(state: &mut State, lit: Option<Lit>) {

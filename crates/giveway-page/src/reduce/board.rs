@@ -77,6 +77,12 @@ pub(super) fn select(state: &mut State, selection: Selection) {
         return;
     }
     let count = state.world().agents().len();
+    state.view.asker = match (selection, state.view.selection) {
+        (Selection::Cell(_), Selection::Agent(agent)) => Some(agent),
+        (Selection::Cell(_), Selection::Cell(_)) => state.view.asker,
+        (Selection::Cell(_), Selection::Nothing)
+        | (Selection::Agent(_) | Selection::Nothing, _) => None,
+    };
     state.view.selection = match selection {
         // Of a scene before this one.
         Selection::Agent(agent) if agent >= count => Selection::Nothing,

@@ -54,6 +54,7 @@ fn show(state: &mut State) -> bool {
     state.view.notice = None;
     state.view.playback.playing = false;
     state.view.overlay.is_on = true;
+    state.view.ledger.is_open = false;
     state.view.overlay.shows_other = false;
     let known = state.document.freedom();
     if known.is_some_and(|known| known.told.is_some() || state.is_counting()) {

@@ -62,7 +62,10 @@ pub(super) fn plays(state: &mut State, action: PlayAction) -> bool {
         // The ruler of an order has the time of its plan.
         PlayAction::Seek(0) if is_proof => inside(state, InsideAction::First),
         PlayAction::Seek(_) if is_proof => inside(state, InsideAction::Last),
-        PlayAction::Seek(_) | PlayAction::Reach(_) | PlayAction::SetSpeed(_) => return false,
+        PlayAction::Seek(_)
+        | PlayAction::Difference(_)
+        | PlayAction::Reach(_)
+        | PlayAction::SetSpeed(_) => return false,
     }
     true
 }

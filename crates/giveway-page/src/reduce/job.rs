@@ -4,7 +4,7 @@
 use giveway_model::tr_data;
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, freedom, inside, planners, proof, rules, solve};
+use super::{ask, change, freedom, inside, ledger, planners, proof, rules, solve};
 use crate::{Adapting, Notice, Size, Solving, State, Task, WorkerAction};
 
 /// A worker tells of a job.
@@ -57,6 +57,7 @@ fn progress(state: &mut State, id: u64, event: Progress) {
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
         (Task::Price(..), Progress::Priced { answer }) => rules::learn(state, *answer),
+        (Task::Delays(_), Progress::Delays { answer }) => ledger::learn(state, *answer),
         _ => {}
     }
 }
@@ -76,6 +77,7 @@ fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
         (Task::Price(..), Response::Priced(answer)) => rules::learn(state, *answer),
+        (Task::Delays(_), Response::Delays(answer)) => ledger::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
@@ -93,6 +95,7 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Look(_) => tr_data!("The planner refused the scene."),
         Task::Freedom(_) => tr_data!("All best plans cannot be compared for this scene."),
         Task::Price(..) => tr_data!("What the rules cost cannot be found out for this scene."),
+        Task::Delays(_) => tr_data!("There is no ledger of this plan."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = state.document.mode.comparing().is_some();
@@ -104,6 +107,9 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     }
     if let Task::Freedom(_) = task {
         freedom::refused(state);
+    }
+    if let Task::Delays(_) = task {
+        ledger::refused(state);
     }
     state.view.notice = Some(Notice::refusal(sentence).with(match refusal {
         // What can be asked, as a sentence: nobody types it here.

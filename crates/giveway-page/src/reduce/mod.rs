@@ -12,6 +12,7 @@ mod freedom;
 mod inside;
 mod intake;
 mod job;
+mod ledger;
 mod lesson;
 mod planners;
 mod play;
@@ -75,6 +76,7 @@ fn step(state: &mut State, action: Action) {
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
         Action::Freedom(action) => freedom::freedom(state, action),
+        Action::Ledger(action) => ledger::ledger(state, action),
         Action::Intake(action) => intake::intake(state, action),
         Action::Inside(action) => inside::inside(state, action),
         Action::Play(action) => {
@@ -112,6 +114,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Rules(_)
         | Action::Find(_)
         | Action::Freedom(_)
+        | Action::Ledger(_)
         | Action::Intake(_)
         | Action::Slot(_)
         | Action::Lesson(_) => false,

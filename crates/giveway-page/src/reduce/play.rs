@@ -1,7 +1,7 @@
 //! The time shown.
 
 use super::solve;
-use crate::{PlayAction, State};
+use crate::{PlayAction, State, beside};
 
 pub(super) fn play(state: &mut State, action: PlayAction) {
     let time = state.view.playback.time;
@@ -9,6 +9,11 @@ pub(super) fn play(state: &mut State, action: PlayAction) {
         PlayAction::Play => begin(state),
         PlayAction::Pause => state.view.playback.playing = false,
         PlayAction::Seek(time) => seek(state, time),
+        PlayAction::Difference(is_forward) => {
+            if let Some(time) = beside::next(state, is_forward) {
+                seek(state, time);
+            }
+        }
         PlayAction::StepForward => seek(state, time.saturating_add(1)),
         PlayAction::StepBack => seek(state, time.saturating_sub(1)),
         PlayAction::Reach(time) => reach(state, time),

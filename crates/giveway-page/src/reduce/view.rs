@@ -14,6 +14,7 @@ pub(super) fn view(state: &mut State, action: &ViewAction) {
         ViewAction::DismissNotice => view.notice = None,
         ViewAction::ShowTrails(on) => view.layers.trails = on,
         ViewAction::ShowHeat(on) => view.layers.heat = on,
+        ViewAction::ShowLanes(lanes) => view.lanes = lanes,
         ViewAction::Follow(on) => view.follow = on,
         ViewAction::ShowTable(on) => view.table = on,
         ViewAction::ShowTab(tab) => view.tab = tab,

@@ -60,7 +60,7 @@ impl State {
         }
         let mode = &self.document.mode;
         let other = match &mode.activity {
-            _ if mode.asking().is_some() => mode.asking()?.other.as_ref(),
+            _ if mode.asking().is_some() => self.opened(),
             Activity::Editing if self.farthest().is_some() => self.farthest(),
             Activity::Editing if self.open_before().is_some() => self.open_before(),
             Activity::Editing => {
@@ -76,6 +76,13 @@ impl State {
             | Activity::Steering(_) => None,
         };
         other.filter(|_| self.view.is_wide)
+    }
+
+    /// The other plan of a question, where it was opened; before a room it always is.
+    pub(crate) fn opened(&self) -> Option<&Rc<Answer>> {
+        let asking = self.document.mode.asking()?;
+        let is_opened = asking.shows_other || self.is_presented();
+        asking.other.as_ref().filter(|_| is_opened)
     }
 
     /// The best plan before a cell was closed for a look, where there is one without

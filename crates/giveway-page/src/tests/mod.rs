@@ -2,8 +2,10 @@
 
 mod audit;
 mod change;
+mod compare;
 mod freedom;
 mod inside;
+mod ledger;
 mod lesson;
 mod moving;
 mod opening;

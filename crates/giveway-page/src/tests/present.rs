@@ -208,8 +208,8 @@ fn all_causes_are_named_by_the_numbers_of_their_marks() {
     );
     let spots = reasons(&told).spots;
     assert!(!spots.is_empty() && spots.iter().all(|spot| spot.number <= 8));
-    let (_, words) = ask::card(&told).unwrap().verdict.unwrap();
-    assert_eq!(words, said.text);
+    let verdict = ask::card(&told).unwrap().verdict.unwrap();
+    assert_eq!(verdict.sentence, said.text);
     let standing = crate::words::standing(&told).sentence;
     assert!(standing.ends_with(&said.text), "{standing}");
 }

@@ -2,6 +2,8 @@
 
 mod costs;
 mod parts;
+mod pays;
+mod verdict;
 
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
@@ -9,13 +11,14 @@ use giveway_solve::explain::{
 };
 use giveway_solve::words::reach;
 
-use super::signs::{badge, edit_icon, fact_icon, pending, verdict_words};
-use crate::{Asking, Lit, State, words};
+use super::signs::{edit_icon, fact_icon, pending};
+use crate::{Asking, Lit, State, beside, words};
 
 pub use costs::CostRow;
-pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other};
+pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
 
-use costs::rows;
+use pays::pays;
+use verdict::verdict;
 
 /// The most things that go wrong that are told one by one.
 const HAPPENINGS: usize = 30;
@@ -26,8 +29,9 @@ pub fn card(state: &State) -> Option<Card> {
     let mut card = Card {
         question: words::question(asking.question()),
         verdict: None,
-        rows: Vec::new(),
+        pays: None,
         other: None,
+        differences: beside::rows(state),
         witness: Vec::new(),
         cores: Vec::new(),
         repairs: Vec::new(),
@@ -39,19 +43,17 @@ pub fn card(state: &State) -> Option<Card> {
         card.pending.push(tr!("Looking for the verdict"));
         return Some(card);
     };
-    card.verdict = Some((badge(told), verdict_words(state, asking, told).into_owned()));
+    card.verdict = Some(verdict(state, asking, told));
     if let Some(other) = &asking.other {
-        card.rows = rows(asking, other);
+        card.pays = pays(asking, other);
         card.other = Some(Other {
             is_shown: asking.shows_other,
             is_beside: state.view.is_wide,
-            is_closest: told.closest,
         });
     }
     card.witness = witness(asking);
     card.cores = facts(asking, told);
-    let objective = asking.about.draft.scene().objective.clone();
-    let objective = asking.request.objective.as_ref().unwrap_or(&objective);
+    let objective = asking.objective();
     let repairs = told.repairs.iter();
     card.repairs = repairs
         .filter(|_| asking.can_be_repaired())

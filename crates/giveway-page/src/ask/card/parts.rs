@@ -1,18 +1,21 @@
 //! The parts of the card of an answer.
 
 use super::CostRow;
+use crate::beside::DifferenceRow;
 
 /// What is said, part by part, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Card {
     /// The question.
     pub question: String,
-    /// The verdict with all that is known in words; nothing before it is there.
-    pub verdict: Option<(Badge, String)>,
-    /// Costs and arrivals of both plans; none without an other plan.
-    pub rows: Vec<CostRow>,
+    /// The verdict; nothing before it is there.
+    pub verdict: Option<VerdictPart>,
+    /// Costs and arrivals of both plans; nothing without an other plan.
+    pub pays: Option<WhoPays>,
     /// Whether the other plan can be shown and taken, and whether it is shown.
     pub other: Option<Other>,
+    /// Where the two plans differ, while both are shown.
+    pub differences: Vec<DifferenceRow>,
     /// What would go wrong, under its headings.
     pub witness: Vec<(String, Vec<Happening>)>,
     /// What together makes it impossible.
@@ -25,6 +28,36 @@ pub struct Card {
     pub pending: Vec<&'static str>,
     /// What the claim rests on, once the answer is whole.
     pub standing: Option<String>,
+}
+
+/// The verdict, as the card begins.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VerdictPart {
+    /// Its word, icon and class.
+    pub badge: Badge,
+    /// What it comes to, in a few words; the word of the badge where no more is known.
+    pub title: String,
+    /// How far it is proved, in a few words.
+    pub claim: Option<String>,
+    /// One sentence that names who arrives later.
+    pub sentence: String,
+}
+
+/// Who pays for the other plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WhoPays {
+    /// How many pay and gain, in a few words; nothing where all arrive as before.
+    pub summary: Option<String>,
+    /// The costs of the objective in order, then others that differ.
+    pub costs: Vec<CostRow>,
+    /// The robots that differ: who loses most is the first.
+    pub robots: Vec<CostRow>,
+    /// So many more differ that are folded away.
+    pub hidden: u32,
+    /// How many robots arrive as before, in words.
+    pub rest: Option<String>,
+    /// The robot that is lit up, by its index.
+    pub lit: Option<usize>,
 }
 
 /// A verdict's word, icon and class.
@@ -45,8 +78,6 @@ pub struct Other {
     pub is_shown: bool,
     /// Whether it is shown beside this one.
     pub is_beside: bool,
-    /// Whether it is proved that no other is closer to this plan.
-    pub is_closest: bool,
 }
 
 /// Something that would go wrong.

@@ -58,6 +58,12 @@ pub(super) fn cancel(state: &mut State) {
         Some(Task::Look(looking)) => {
             inside::not_told(state, &looking, tr!("You stopped it."));
         }
+        Some(Task::Delays(_)) => {
+            let known = state.document.ledger();
+            if known.is_none_or(|known| known.told.is_none()) {
+                super::ledger::refused(state);
+            }
+        }
         Some(
             Task::Certify(_)
             | Task::Export(_)

@@ -10,7 +10,7 @@ use super::answered;
 use crate::reduce::tests::after;
 use crate::{
     Action, Activity, AskAction, Draft, Edit, SolveAction, State, ask, board, changing, freedom,
-    inside, inspect, link, planners, reduce, rules, steering, table, words,
+    inside, inspect, ledger, link, planners, reduce, rules, steering, table, words,
 };
 
 /// How many actions in all.
@@ -100,6 +100,12 @@ fn show(state: &State) {
     let _ = (steering::facts(state), state.can_change());
     let _ = planners::table(state);
     let _ = (freedom::column(state), freedom::part(state));
+    let _ = (
+        ledger::column(state),
+        ledger::heat(state),
+        ledger::legend(state),
+        ledger::notes(state),
+    );
     let _ = (freedom::lines(state), freedom::numbers(state));
     let _ = (rules::card(state), rules::list(state));
     let _ = board::Cast::of(state);

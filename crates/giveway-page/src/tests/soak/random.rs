@@ -7,6 +7,7 @@ use super::Session;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::inside::{InsideAction, Method};
+use crate::ledger::{LedgerAction, LedgerLit};
 use crate::planners::By;
 use crate::steering::Lead;
 use crate::tests::{answer, seek};
@@ -43,7 +44,8 @@ impl Session {
             95..97 => vec![Action::Inside(self.inside())],
             97 => self.dropped(),
             98 if self.rng.bool() => self.find(),
-            98 => vec![Action::Freedom(self.freedom())],
+            98 if self.rng.bool() => vec![Action::Freedom(self.freedom())],
+            98 => vec![Action::Ledger(self.ledger())],
             _ => vec![self.file()],
         }
     }
@@ -198,6 +200,16 @@ impl Session {
             5 => Lead::Charge,
             6 => Lead::Back,
             _ => Lead::Discard,
+        }
+    }
+
+    fn ledger(&mut self) -> LedgerAction {
+        let n = self.rng.usize(0..4);
+        match self.rng.u8(0..6) {
+            0..3 => LedgerAction::Show(n > 0),
+            3 => LedgerAction::Turn(n > 1),
+            4 => LedgerAction::Light(Some(LedgerLit::Place(n))),
+            _ => LedgerAction::Light((n > 0).then_some(LedgerLit::Robot(n))),
         }
     }
 

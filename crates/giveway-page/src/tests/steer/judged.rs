@@ -18,8 +18,9 @@ fn who_is_not_at_its_goal_yet_is_in_nobodys_way_later() {
         [Action::Ask(AskAction::Ask(Question::Plan))],
     ));
     let card = ask::card(&checked).unwrap();
-    let (badge, text) = card.verdict.unwrap();
-    assert_eq!(badge.word, "Against the rules");
+    let verdict = card.verdict.unwrap();
+    let text = verdict.sentence;
+    assert_eq!(verdict.badge.word, "Against the rules");
     assert!(text.starts_with("The plan breaks a rule: "), "{text}");
     let [(title, broken)] = &card.witness[..] else {
         panic!("{:?}", card.witness);
@@ -49,9 +50,12 @@ fn a_plan_that_is_as_good_is_confirmed() {
     );
     assert_eq!(state.phase(), Phase::Asking);
     let state = answered(&state);
-    let (badge, text) = ask::card(&state).unwrap().verdict.unwrap();
-    assert_eq!(badge.word, "Optimal");
-    assert_eq!(text, "The plan keeps all rules, and no plan is better.");
+    let verdict = ask::card(&state).unwrap().verdict.unwrap();
+    assert_eq!(verdict.badge.word, "Optimal");
+    assert_eq!(
+        verdict.sentence,
+        "The plan keeps all rules, and no plan is better."
+    );
     let state = after(&state, [Action::Ask(AskAction::Close)]);
     assert_eq!(state.phase(), Phase::Steering);
 }
@@ -61,10 +65,12 @@ fn of_a_worse_plan_it_is_told_what_is_too_much() {
     let own = after(&leading(0, 0), [WAIT, RIGHT, RIGHT, RIGHT]);
     let state = answered(&after(&own, [Action::Ask(AskAction::Ask(Question::Plan))]));
     let card = ask::card(&state).unwrap();
-    let (badge, text) = card.verdict.unwrap();
-    assert_eq!(badge.word, "Improvable");
+    let verdict = card.verdict.unwrap();
+    let text = verdict.sentence;
+    assert_eq!(verdict.badge.word, "Improvable");
     assert!(text.contains("A1 waits 1 step less"), "{text}");
-    assert_eq!((card.rows[0].this, card.rows[0].other), (4, 3));
+    let makespan = &card.pays.unwrap().costs[0];
+    assert_eq!((makespan.this, makespan.other), (4, 3));
     let taken = after(&state, [Action::Ask(AskAction::TakeOther)]);
     assert_eq!(taken.document.mode.steering(), None);
     let answer = taken.document.answer.as_ref().unwrap();

@@ -9,7 +9,7 @@ use giveway_model::{AtGoal, Constraint, Rules, assumption, constraint, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
-use crate::{Activity, Asking, State, Task, ask, audit, freedom, proof};
+use crate::{Activity, Asking, State, Task, ask, audit, freedom, ledger, proof};
 
 pub use badge::Badge;
 
@@ -171,6 +171,7 @@ fn working(state: &State, task: &Task) -> Standing {
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
         Task::Look(_) | Task::Price(..) => resting(state),
         Task::Freedom(_) => say(Badge::Counting, freedom::doing(state).unwrap_or_default()),
+        Task::Delays(_) => say(Badge::Counting, ledger::doing(state).to_owned()),
     }
 }
 

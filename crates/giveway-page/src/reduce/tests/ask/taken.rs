@@ -53,6 +53,8 @@ fn where_there_is_room_the_other_plan_is_beside_this_one() {
     let state = answered(&asked());
     assert_eq!(state.beside(), None);
     let wide = after(&state, [Action::View(ViewAction::SetWide(true))]);
+    assert_eq!(wide.beside(), None, "it is opened by hand");
+    let wide = after(&wide, [Action::Ask(AskAction::ShowOther(true))]);
     let other = wide.document.mode.asking().as_ref().unwrap().other.clone();
     assert_eq!(wide.beside(), other.as_ref());
     assert!(card(&wide).unwrap().other.unwrap().is_beside);
@@ -75,7 +77,10 @@ fn where_there_is_room_the_other_plan_is_beside_this_one() {
 fn two_plans_play_to_the_end_of_the_longer_one() {
     let mut state = after(
         &answered(&asked()),
-        [Action::View(ViewAction::SetWide(true))],
+        [
+            Action::View(ViewAction::SetWide(true)),
+            Action::Ask(AskAction::ShowOther(true)),
+        ],
     );
     let asking = state.document.mode.asking_mut().unwrap();
     let mut other = asking.other.as_deref().unwrap().clone();
@@ -84,7 +89,13 @@ fn two_plans_play_to_the_end_of_the_longer_one() {
     assert_eq!(state.last_time(), 20);
     let end = after(&state, [Action::Play(PlayAction::Seek(99))]);
     assert_eq!(end.view.playback.time, 20);
-    let narrow = after(&end, [Action::View(ViewAction::SetWide(false))]);
+    let narrow = after(
+        &end,
+        [
+            Action::View(ViewAction::SetWide(false)),
+            Action::Ask(AskAction::ShowOther(false)),
+        ],
+    );
     assert_eq!(narrow.view.playback.time, 18);
 }
 

@@ -35,10 +35,11 @@ fn a_question_runs_in_the_solver_and_is_said() {
 fn the_answer_grows_until_it_is_whole() {
     let state = learn(&asked());
     let grown = card(&state).unwrap();
-    assert_eq!(grown.verdict.as_ref().unwrap().0.word, "Costly");
+    assert_eq!(grown.verdict.as_ref().unwrap().badge.word, "Costly");
     assert_eq!(grown.pending.len(), 2);
     assert_eq!(grown.standing, None);
-    let charges = &grown.rows[2];
+    let pays = grown.pays.unwrap();
+    let charges = &pays.costs[2];
     assert_eq!((charges.this, charges.other), (3, 4));
     assert_eq!(charges.difference(), "+1");
     assert_eq!(
@@ -161,4 +162,16 @@ fn a_fact_lights_up_while_it_is_pointed_at() {
     assert_eq!(lit.document.mode.asking().unwrap().lit, Some(Lit::Fact(0)));
     let dark = after(&state, [Action::Ask(AskAction::Light(None))]);
     assert_eq!(dark.document.mode.asking().unwrap().lit, None);
+}
+
+#[test]
+fn a_robot_that_pays_lights_up_by_its_row() {
+    let state = answered(&asked());
+    let light = |lit| Action::Ask(AskAction::Light(lit));
+    let lit = after(&state, [light(Some(Lit::Robot(1)))]);
+    assert_eq!(card(&lit).unwrap().pays.unwrap().lit, Some(1));
+    assert_eq!(crate::board::lit(&lit), Some(vec![1]));
+    let dark = after(&lit, [light(None)]);
+    assert_eq!(card(&dark).unwrap().pays.unwrap().lit, None);
+    assert_eq!(crate::board::lit(&dark), None);
 }

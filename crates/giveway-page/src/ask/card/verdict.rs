@@ -1,0 +1,247 @@
+//! The verdict of an answer: a title, how far it is proved, and one short sentence that names who
+//! arrives later.
+
+use giveway_model::{Cost, Question, check, condition::Clause, tr};
+use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict};
+
+use super::parts::VerdictPart;
+use crate::ask::signs::{badge, verdict_words};
+use crate::{Asking, State};
+
+/// The most words of the sentence, where it is made here.
+const MOST_WORDS: usize = 30;
+
+/// The verdict as far as it is known.
+pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> VerdictPart {
+    let badge = badge(told);
+    let title = title(asking, told).unwrap_or_else(|| badge.word.to_owned());
+    let sentence = sentence(asking, told);
+    VerdictPart {
+        badge,
+        title,
+        claim: claim(told),
+        sentence: sentence.unwrap_or_else(|| verdict_words(state, asking, told).into_owned()),
+    }
+}
+
+/// Whether the answer is about a whole plan: then it has words of its own.
+const fn is_of_a_whole(told: &ExplainAnswer) -> bool {
+    told.valid.is_some() || matches!(told.question, Question::Unsolvable | Question::Plan)
+}
+
+/// How far the verdict is proved, in a few words.
+fn claim(told: &ExplainAnswer) -> Option<String> {
+    if is_of_a_whole(told) {
+        return None;
+    }
+    match told.verdict {
+        Verdict::Needless => Some(tr!("costs" => "same cost").to_owned()),
+        // The other plan is there to be seen.
+        Verdict::Improvable => None,
+        Verdict::Unknown => told
+            .costs
+            .map(|_| tr!("an answer" => "not proved").to_owned()),
+        Verdict::Costly | Verdict::Necessary => match told.reach.within() {
+            None if told.reach.is_complete() => Some(tr!("an answer" => "proved").to_owned()),
+            None => None,
+            Some(n) => Some(tr!("proved" => "within {n}", n)),
+        },
+    }
+}
+
+/// The verdict in words; nothing where its one word is all that is known.
+fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
+    if is_of_a_whole(told) {
+        return None;
+    }
+    match told.verdict {
+        Verdict::Needless => needless(told),
+        Verdict::Costly => {
+            let (cost, n) = first_difference(asking, told, |delta| delta > 0)?;
+            Some(match cost {
+                Cost::Charges => tr!("It would cost {n} charge" | "It would cost {n} charges" % n),
+                Cost::Moves => tr!("It would cost {n} move" | "It would cost {n} moves" % n),
+                Cost::Penalty => tr!("It would cost a penalty of {n}", n),
+                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
+                    tr!("It would cost {n} step" | "It would cost {n} steps" % n)
+                }
+            })
+        }
+        Verdict::Improvable => {
+            let (cost, n) = first_difference(asking, told, |delta| delta < 0)?;
+            Some(match cost {
+                Cost::Charges => tr!("It would save {n} charge" | "It would save {n} charges" % n),
+                Cost::Moves => tr!("It would save {n} move" | "It would save {n} moves" % n),
+                Cost::Penalty => tr!("It would save a penalty of {n}", n),
+                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
+                    tr!("It would save {n} step" | "It would save {n} steps" % n)
+                }
+            })
+        }
+        Verdict::Necessary => Some(tr!("No plan does otherwise").to_owned()),
+        // The other plan is the best one that was found: another may cost less.
+        Verdict::Unknown => {
+            asking.other.as_ref()?;
+            let (cost, n) = first_difference(asking, told, |delta| delta > 0)?;
+            Some(match cost {
+                Cost::Charges => tr!("At most {n} charge more" | "At most {n} charges more" % n),
+                Cost::Moves => tr!("At most {n} move more" | "At most {n} moves more" % n),
+                Cost::Penalty => tr!("At most a penalty of {n} more", n),
+                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
+                    tr!("At most {n} step more" | "At most {n} steps more" % n)
+                }
+            })
+        }
+    }
+}
+
+/// The first cost of the objective that differs so, and by how much.
+fn first_difference(
+    asking: &Asking,
+    told: &ExplainAnswer,
+    is_so: impl Fn(i64) -> bool,
+) -> Option<(Cost, u32)> {
+    let costs = asking.objective().costs().iter();
+    let mut deltas = costs.filter_map(|cost| Some((*cost, *told.deltas.get(cost)?)));
+    let (cost, delta) = deltas.find(|(_, delta)| *delta != 0)?;
+    let n = u32::try_from(delta.unsigned_abs()).ok()?;
+    is_so(delta).then_some((cost, n))
+}
+
+/// How the other plan of the same costs does without it.
+fn needless(told: &ExplainAnswer) -> Option<String> {
+    let asked = told.question.agent();
+    let is_wait = matches!(
+        told.question,
+        Question::Wait { .. } | Question::Yield { .. }
+    );
+    Some(match told.how.first()? {
+        How::Others => {
+            let others = told.pays.iter();
+            let mut others = others.filter(|it| Some(it.agent.as_str()) != asked);
+            let pays =
+                |it: &&AgentDifference| it.other > it.arrival || it.more_waits > 0 || it.other_way;
+            let other = others.find(pays)?;
+            let name = &other.agent;
+            if other.more_waits > 0 {
+                tr!("{name} could wait instead", name)
+            } else if other.other_way {
+                tr!("{name} could go another way instead", name)
+            } else {
+                tr!("{name} could arrive later instead", name)
+            }
+        }
+        How::OtherWay => tr!("It could drive around instead").to_owned(),
+        How::Elsewhere if is_wait => tr!("It could wait elsewhere").to_owned(),
+        How::Elsewhere => tr!("It could wait instead").to_owned(),
+        How::Free if is_wait => tr!("It need not wait at all").to_owned(),
+        How::Free => tr!("It was for nothing").to_owned(),
+    })
+}
+
+/// One sentence of at most [`MOST_WORDS`] words; nothing where too little is known to make it.
+fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
+    if is_of_a_whole(told) {
+        return None;
+    }
+    let clause = clause(asking);
+    match told.verdict {
+        Verdict::Needless | Verdict::Improvable | Verdict::Costly | Verdict::Unknown => {
+            asking.other.as_ref()?;
+            who_is_late(told, clause.as_ref())
+        }
+        Verdict::Necessary => {
+            let does = clause?.does;
+            Some(match told.reach.within() {
+                None => tr!("There is no plan in which {does}.", does),
+                Some(n) => tr!(
+                    "There is no plan with a makespan of at most {n} in which {does}.",
+                    n,
+                    does
+                ),
+            })
+        }
+    }
+}
+
+/// Who would arrive later, the first by name. Nothing where the plans are the same.
+fn who_is_late(told: &ExplainAnswer, clause: Option<&Clause>) -> Option<String> {
+    if told.pays.is_empty() {
+        return None;
+    }
+    let late: Vec<&AgentDifference> = late(told).collect();
+    let Some(first) = late.first() else {
+        return Some(match clause {
+            Some(Clause { would, .. }) => {
+                let short = tr!("If {would}, nobody would arrive later.", would);
+                if is_short(&short) {
+                    short
+                } else {
+                    tr!("Nobody would arrive later.").to_owned()
+                }
+            }
+            None => tr!("Nobody would arrive later.").to_owned(),
+        });
+    };
+    let AgentDifference {
+        agent: name,
+        arrival,
+        other,
+        ..
+    } = first;
+    let plain = tr!(
+        "{name} would arrive at {other} instead of {arrival}.",
+        name,
+        other,
+        arrival
+    );
+    let main = clause.map(|Clause { would, .. }| {
+        tr!(
+            "If {would}, {name} would arrive at {other} instead of {arrival}.",
+            would,
+            name,
+            other,
+            arrival
+        )
+    });
+    let main = main.filter(|main| is_short(main)).unwrap_or(plain);
+    let more = late.len() as u32 - 1;
+    let whole = if more == 0 {
+        main.clone()
+    } else {
+        let more = tr!("{n} other would be late, too." | "{n} others would be late, too." % more);
+        format!("{main} {more}")
+    };
+    Some(if is_short(&whole) { whole } else { main })
+}
+
+/// The robots that arrive later in the other plan, those that lose most first.
+fn late(told: &ExplainAnswer) -> impl Iterator<Item = &AgentDifference> {
+    told.pays.iter().filter(|it| it.other > it.arrival)
+}
+
+fn is_short(sentence: &str) -> bool {
+    sentence.split_whitespace().count() <= MOST_WORDS
+}
+
+/// The contrast of the question as a clause; `None` where it has none, or a number in it is not
+/// known.
+fn clause(asking: &Asking) -> Option<Clause> {
+    let about = &asking.about;
+    let costs = about.solved.costs?;
+    let position = |name: &str| about.agents().iter().position(|agent| agent.name == name);
+    let condition = asking
+        .question()
+        .condition(|agent, cost| match (agent, cost) {
+            (None, cost) => Some(costs.get(cost)),
+            (Some(name), Cost::Makespan | Cost::SumOfCosts) => {
+                *about.arrivals.get(position(name)?)?
+            }
+            // What a robot did before the world changed does not count there.
+            (Some(_), _) if about.course.is_some() => None,
+            (Some(_), _) => {
+                check::cost_of(about.draft.instance().ok()?, about.plan()?, agent, cost)
+            }
+        });
+    Some(condition?.clause())
+}

@@ -1,0 +1,200 @@
+//! The verdict of an answer, and who pays for the other plan.
+
+use giveway_model::{Cost, Question};
+use giveway_solve::Response;
+use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict};
+
+use super::{asked, id, question, told};
+use crate::ask::{Card, card};
+use crate::reduce::tests::after;
+use crate::{Action, AskAction, State, WorkerAction};
+
+fn differs(agent: &str, arrival: u32, other: u32) -> AgentDifference {
+    AgentDifference {
+        agent: agent.to_owned(),
+        arrival,
+        other,
+        more_waits: i64::from(other) - i64::from(arrival),
+        other_way: false,
+    }
+}
+
+fn respond(state: &State, answer: ExplainAnswer) -> State {
+    let response = Box::new(Response::Explained(Box::new(answer)));
+    let job = id(state);
+    after(
+        state,
+        [Action::Worker(WorkerAction::Respond { job, response })],
+    )
+}
+
+/// The card of an answer that was changed.
+fn card_of(change: impl FnOnce(&mut ExplainAnswer)) -> Card {
+    let state = asked();
+    let mut answer = told(&state);
+    answer.pending = Vec::new();
+    change(&mut answer);
+    card(&respond(&state, answer)).unwrap()
+}
+
+fn words(sentence: &str) -> usize {
+    sentence.split_whitespace().count()
+}
+
+#[test]
+fn a_costly_answer_says_what_it_costs_and_who_is_late() {
+    let card = card_of(|answer| answer.pays = vec![differs("A2", 10, 15), differs("A1", 17, 16)]);
+    let verdict = card.verdict.unwrap();
+    assert_eq!(verdict.title, "It would cost 1 charge");
+    assert_eq!(verdict.badge.word, "Costly");
+    assert_eq!(
+        verdict.sentence,
+        "If A1 did not charge at (6, 2) at time 9, A2 would arrive at 15 instead of 10."
+    );
+    assert_eq!(verdict.claim.as_deref(), Some("proved"));
+}
+
+#[test]
+fn the_sentence_is_never_long() {
+    let long = "a robot whose name has so many words that the sentence would not fit at all";
+    let many = || (0..9).map(|n| differs(&format!("B{n}"), 10, 20)).collect();
+    let card = card_of(|answer| {
+        answer.pays = many();
+        answer.pays[0].agent = long.to_owned();
+    });
+    let sentence = card.verdict.unwrap().sentence;
+    assert!(words(&sentence) <= 30, "{sentence}");
+    assert!(sentence.starts_with(long), "{sentence}");
+    let card = card_of(|answer| answer.pays = many());
+    let sentence = card.verdict.unwrap().sentence;
+    assert!(words(&sentence) <= 30, "{sentence}");
+    assert!(
+        sentence.ends_with("B0 would arrive at 20 instead of 10. 8 others would be late, too."),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn a_needless_answer_says_how() {
+    let wait = Question::Wait {
+        agent: "A1".to_owned(),
+        at: None,
+        from: None,
+        to: None,
+        at_least: None,
+    };
+    let title = |how: &[How], question: &Question| {
+        let card = card_of(|answer| {
+            answer.verdict = Verdict::Needless;
+            answer.deltas.insert(Cost::Charges, 0);
+            answer.question = question.clone();
+            answer.how = how.to_vec();
+            answer.pays = vec![differs("A1", 17, 17), differs("A2", 10, 15)];
+        });
+        let verdict = card.verdict.unwrap();
+        assert_eq!(verdict.claim.as_deref(), Some("same cost"));
+        assert_eq!(verdict.badge.word, "Needless");
+        verdict.title
+    };
+    assert_eq!(title(&[How::Free], &wait), "It need not wait at all");
+    assert_eq!(title(&[How::Elsewhere], &wait), "It could wait elsewhere");
+    assert_eq!(
+        title(&[How::OtherWay, How::Elsewhere], &wait),
+        "It could drive around instead"
+    );
+    assert_eq!(
+        title(&[How::Others, How::Elsewhere], &wait),
+        "A2 could wait instead"
+    );
+    assert_eq!(title(&[How::Free], &question()), "It was for nothing");
+    // An answer of an older program tells no how.
+    assert_eq!(title(&[], &wait), "Needless");
+}
+
+#[test]
+fn nobody_is_late_and_that_is_said() {
+    let card = card_of(|answer| answer.pays = vec![differs("A1", 17, 17)]);
+    let verdict = card.verdict.unwrap();
+    assert_eq!(
+        verdict.sentence,
+        "If A1 did not charge at (6, 2) at time 9, nobody would arrive later."
+    );
+    let pays = card.pays.unwrap();
+    assert_eq!(pays.summary, None, "all arrive as before");
+    assert_eq!(
+        pays.robots.len(),
+        1,
+        "it differs, though it arrives as before"
+    );
+    assert_eq!(
+        pays.rest.as_deref(),
+        Some("The other robot arrives as before.")
+    );
+}
+
+#[test]
+fn what_is_necessary_has_no_colour_of_what_is_broken() {
+    let card = card_of(|answer| {
+        answer.verdict = Verdict::Necessary;
+        answer.alternative = None;
+        answer.costs = None;
+    });
+    let verdict = card.verdict.unwrap();
+    assert_eq!(verdict.title, "No plan does otherwise");
+    assert_eq!(verdict.badge.class, "necessary");
+    assert_eq!(
+        verdict.sentence,
+        "There is no plan in which A1 does not charge at (6, 2) at time 9."
+    );
+    assert_eq!(card.pays, None);
+}
+
+#[test]
+fn costs_come_first_in_the_order_of_the_objective() {
+    let pays = card_of(|_| {}).pays.unwrap();
+    let titles: Vec<&str> = pays.costs.iter().map(|row| row.title.as_str()).collect();
+    assert_eq!(titles, ["Makespan", "Sum of costs", "Charges"]);
+    let charges = &pays.costs[2];
+    assert_eq!((charges.this, charges.other), (3, 4));
+    assert_eq!(
+        charges.aloud(),
+        "Charges: 3 here, 4 in the other plan, 1 more"
+    );
+    assert_eq!(pays.rest.as_deref(), Some("All robots arrive as before."));
+    assert_eq!(pays.hidden, 0);
+}
+
+#[test]
+fn a_table_is_unfolded_once() {
+    let state = respond(&asked(), {
+        let mut answer = told(&asked());
+        answer.pending = Vec::new();
+        answer
+    });
+    let unfolded = after(&state, [Action::Ask(AskAction::Unfold)]);
+    assert!(unfolded.document.mode.asking().unwrap().is_unfolded);
+    assert_eq!(card(&unfolded).unwrap().pays.unwrap().hidden, 0);
+}
+
+#[test]
+fn a_plan_that_is_not_proved_best_is_a_bound() {
+    let card = card_of(|answer| {
+        answer.verdict = Verdict::Unknown;
+        answer.pays = vec![differs("A2", 10, 15), differs("A1", 17, 16)];
+    });
+    let verdict = card.verdict.unwrap();
+    assert_eq!(verdict.title, "At most 1 charge more");
+    assert_eq!(verdict.claim.as_deref(), Some("not proved"));
+    assert!(
+        verdict
+            .sentence
+            .ends_with("A2 would arrive at 15 instead of 10.")
+    );
+    let nothing = card_of(|answer| {
+        answer.verdict = Verdict::Unknown;
+        answer.alternative = None;
+        answer.costs = None;
+    });
+    let verdict = nothing.verdict.unwrap();
+    assert_eq!((verdict.title.as_str(), verdict.claim), ("Not known", None));
+}

@@ -1,0 +1,123 @@
+//! The verdict of an answer, and the costs of two plans side by side.
+
+use giveway_model::tr;
+use giveway_page::ask::{CostRow, VerdictPart, WhoPays};
+use giveway_page::{Action, AskAction, Lit};
+use yew::prelude::*;
+
+use crate::{glyph, icon};
+
+/// The title, the verdict in a word with how far it is proved, and the sentence.
+pub(super) fn verdict_card(verdict: &VerdictPart) -> Html {
+    let VerdictPart {
+        badge,
+        title,
+        claim,
+        sentence,
+    } = verdict;
+    let is_titled = title != badge.word && !badge.word.is_empty();
+    html! {
+        <div class={classes!("verdict", badge.class)}>
+            <p class="vb">
+                { icon::show(badge.icon) }<b>{ title.clone() }</b>
+                if is_titled || claim.is_some() {
+                    <span class="vh">{ ". " }</span>
+                    <em>
+                        if is_titled { <span>{ badge.word }</span> }
+                        if is_titled && claim.is_some() { { ", " } }
+                        { claim.clone() }
+                    </em>
+                    <span class="vh">{ ". " }</span>
+                }
+            </p>
+            <p class="vs">{ sentence.clone() }</p>
+        </div>
+    }
+}
+
+/// The costs of both plans, then a row for each robot that differs: pressing one lights it.
+pub(super) fn who_pays(pays: &WhoPays, send: &Callback<Action>) -> Html {
+    let cost = |row: &CostRow| {
+        html! {
+            <tr class="sum">
+                <th scope="row">{ row.title.clone() }</th>
+                <td>{ row.this }</td><td>{ row.other }</td>{ difference(row) }
+            </tr>
+        }
+    };
+    let robot = |row: &CostRow| {
+        let is_lit = row.agent.is_some() && pays.lit == row.agent;
+        let lit = row.agent.filter(|_| !is_lit).map(Lit::Robot);
+        let onclick = send.reform(move |_| Action::Ask(AskAction::Light(lit)));
+        html! {
+            <tr class={classes!("robot", is_lit.then_some("on"))}>
+                <th scope="row"><button type="button" aria-pressed={is_lit.to_string()} aria-label={row.aloud()} {onclick}>
+                    if let Some(agent) = row.agent { { glyph::show(agent, "cost-glyph") } }
+                    { row.title.clone() }
+                </button></th>
+                <td>{ row.this }</td><td>{ row.other }</td>{ difference(row) }
+            </tr>
+        }
+    };
+    html! {
+        <section>
+            <h3>{ tr!("Who pays") }if let Some(summary) = &pays.summary { { " " }<small>{ summary.clone() }</small> }</h3>
+            <table class="compare pays" aria-label={tr!("Who pays")}>
+                { head([tr!("This"), tr!("Other")]) }
+                <tbody>{ for pays.costs.iter().map(cost) }{ for pays.robots.iter().map(robot) }</tbody>
+            </table>
+            if pays.hidden > 0 {
+                <button type="button" class="link unfold" onclick={send.reform(|_| Action::Ask(AskAction::Unfold))}>
+                    { tr!("and {n} more differs" | "and {n} more differ" % pays.hidden) }
+                </button>
+            }
+            if let Some(rest) = &pays.rest { <p class="remark">{ rest.clone() }</p> }
+        </section>
+    }
+}
+
+/// Costs of two plans side by side, under a heading each.
+pub(super) fn costs(
+    rows: &[CostRow],
+    name: &'static str,
+    [this, other]: [&'static str; 2],
+) -> Html {
+    let row = |row: &CostRow| {
+        html! {
+            <tr>
+                <th scope="row">
+                    if let Some(agent) = row.agent { { glyph::show(agent, "cost-glyph") } }
+                    { row.title.clone() }
+                </th>
+                <td>{ row.this }</td><td>{ row.other }</td>{ difference(row) }
+            </tr>
+        }
+    };
+    html! {
+        <table class="compare" aria-label={name}>
+            { head([this, other]) }
+            <tbody>{ for rows.iter().map(row) }</tbody>
+        </table>
+    }
+}
+
+/// The headings of a table of two plans.
+fn head([this, other]: [&'static str; 2]) -> Html {
+    html! {
+        <thead><tr>
+            <th scope="col"><span class="vh">{ tr!("Cost") }</span></th>
+            <th scope="col">{ this }</th><th scope="col">{ other }</th>
+            <th scope="col"><span class="vh">{ tr!("Difference") }</span></th>
+        </tr></thead>
+    }
+}
+
+/// The difference of a cost: amber where it grows, green where it falls.
+fn difference(row: &CostRow) -> Html {
+    let class = match row.other.cmp(&row.this) {
+        std::cmp::Ordering::Less => "d better",
+        std::cmp::Ordering::Equal => "d same",
+        std::cmp::Ordering::Greater => "d worse",
+    };
+    html! { <td {class}>{ row.difference() }</td> }
+}
