@@ -200,8 +200,6 @@ pub enum SolveAction {
     SaveProof,
 }
 
-}
-
 /// The world changes while a plan runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChangeAction {

@@ -31,6 +31,7 @@ fn is_other_problem(assumptions: &[Assumption]) -> bool {
 pub(crate) fn weaken_explained(scene: &Scene, answer: &mut ExplainAnswer) {
     if is_other_problem(&scene.assumptions) {
         answer.reach = Reach::default();
+        answer.alone.clear();
         for core in answer.core.iter_mut().flat_map(|core| {
             let further = core.further.iter_mut();
             further.map(|core| &mut core.reach).chain([&mut core.reach])

@@ -59,6 +59,7 @@ const fn asked_about(question: &Question) -> Option<Cost> {
         Question::Charges { .. } => Some(Cost::Charges),
         Question::Moves { .. } | Question::Length { .. } => Some(Cost::Moves),
         Question::Waits { .. } => Some(Cost::Waits),
+        Question::Penalty => Some(Cost::Penalty),
         Question::Wait { .. }
         | Question::Charge { .. }
         | Question::NoCharge { .. }
