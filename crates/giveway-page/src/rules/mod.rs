@@ -8,8 +8,6 @@ mod offers;
 mod parts;
 mod pieces;
 mod price;
-#[cfg(test)]
-mod tests;
 mod writing;
 
 use std::rc::Rc;

@@ -12,6 +12,7 @@ mod opening;
 mod picture;
 mod planners;
 mod present;
+mod rules;
 mod soak;
 mod steer;
 

@@ -5,11 +5,12 @@ mod slots;
 
 use giveway_model::condition::Times;
 use giveway_model::{Cell, Scene};
-use giveway_solve::{Request, Response, SilentHost, serve};
+use giveway_solve::Request;
 
-use super::{RuleAction, Ruling, Slot, Value, card, list};
+use super::answered;
 use crate::reduce::tests::{after, stroke};
-use crate::{Action, BoardAction, Draft, SolveAction, State, Tool, WorkerAction};
+use crate::rules::{RuleAction, Ruling, Slot, Value, card, list};
+use crate::{Action, BoardAction, Draft, SolveAction, State, Tool};
 
 /// Two robots that pass a short aisle one behind the other: (2, 1) to (2, 3).
 fn scene() -> Scene {
@@ -26,15 +27,6 @@ fn scene() -> Scene {
 
 fn act(action: RuleAction) -> Action {
     Action::Rules(action)
-}
-
-fn answered(state: &State) -> State {
-    let (job, request) = state.work.request().expect("it works");
-    let response = Box::new(serve(&request, &SilentHost));
-    after(
-        state,
-        [Action::Worker(WorkerAction::Respond { job, response })],
-    )
 }
 
 fn solved(state: &State) -> State {
@@ -168,11 +160,6 @@ fn what_rules_cost_is_asked_and_goes_when_the_scene_changes() {
     assert_eq!(texts(&stopped), [None, None]);
     let edited = after(&asking, stroke(Tool::Obstacle, &[(6, 0)]));
     assert!(edited.work.is_idle(), "an edit ends it");
-    let refused = serve(
-        &Request::Solve(giveway_solve::SolveRequest::default()),
-        &SilentHost,
-    );
-    assert!(!matches!(refused, Response::Priced(_)));
 }
 
 #[test]
