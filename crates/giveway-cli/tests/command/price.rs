@@ -185,16 +185,13 @@ fn questions_name_a_rule_in_words_or_in_a_file() {
         A3   6,4  5,4  4,4  4,3  4,2  4,1  4,0  5,0
 
         These facts together rule it out:
-          A1 must go from (0, 0) to (0, 4) (without it there is such a plan).
-          A2 must go from (1, 0) to (3, 4) (without it there is such a plan).
-          A3 must go from (6, 4) to (5, 0) (without it there is such a plan).
-          (0, 1) is an obstacle.
-          (1, 1) is an obstacle.
-          (3, 2) is an obstacle.
-          (5, 1) is an obstacle.
-          (6, 2) is an obstacle.
-          A2 and A3 must not collide (without it there is such a plan).
-          the rule 'narrow': "At most 1 robot in 'feeder'" (without it there is such a plan).
+          1 A1 must go from (0, 0) to (0, 4) (needed; would help)
+          2 A2 must go from (1, 0) to (3, 4) (needed; would help)
+          3 A3 must go from (6, 4) to (5, 0) (needed; would help)
+          4 A2 and A3 must not collide (needed; would help)
+          5 the rule 'narrow': "At most 1 robot in 'feeder'" (needed; would help)
+          6 the aisle from (2, 1) to (2, 3) (3 facts; needed)
+          7 the shelf at (5, 1) and (6, 2) (2 facts; needed)
         These facts alone rule it out, and each of them is needed for that. Leaving out only one of the others does not help, since other facts rule it out, too.
 
         What would help:
