@@ -16,8 +16,8 @@ import { serve } from "./server.mjs";
  */
 const STAGES = [
   ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 25_000],
-  ["until the application is there", /^app-|^unstarted-|^static\/icons\.svg$/, 771_000],
-  ["until it can solve", /^worker-|^solver-/, 1_147_000],
+  ["until the application is there", /^app-|^unstarted-|^static\/icons\.svg$/, 834_000],
+  ["until it can solve", /^worker-|^solver-/, 1_212_000],
 ];
 
 let host;

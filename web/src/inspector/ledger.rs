@@ -116,10 +116,20 @@ fn losses(column: &Column, send: &Callback<Action>) -> Html {
             { head([tr!("Robot"), tr!("a robot" => "loses"), tr!("steps are lost" => "because of")]) }
             <tbody>
                 { for column.losses.iter().map(row) }
-                <tr class="quiet"><th scope="row">{ tr!("Nobody") }</th><td>{ column.nobody.clone() }</td><td class="because">{ tr!("steps" => "could be saved") }</td></tr>
+                { nobody(column) }
                 { all(column) }
             </tbody>
         </table>
+    }
+}
+
+/// The steps that are lost with nobody in the way, where there are some.
+fn nobody(column: &Column) -> Html {
+    if column.nobody == "0" {
+        return Html::default();
+    }
+    html! {
+        <tr class="quiet"><th scope="row">{ tr!("Nobody") }</th><td>{ column.nobody.clone() }</td><td class="because">{ tr!("steps" => "could be saved") }</td></tr>
     }
 }
 
@@ -139,7 +149,7 @@ fn causes(column: &Column) -> Html {
             { head([tr!("Robot"), tr!("a robot" => "costs"), tr!("costs steps" => "whom")]) }
             <tbody>
                 { for column.causes.iter().map(row) }
-                <tr class="quiet"><th scope="row">{ tr!("Nobody") }</th><td>{ column.nobody.clone() }</td><td class="because">{ tr!("steps" => "could be saved") }</td></tr>
+                { nobody(column) }
                 { all(column) }
             </tbody>
         </table>

@@ -68,7 +68,7 @@ pub(super) fn who_pays(pays: &WhoPays, send: &Callback<Action>) -> Html {
             </table>
             if pays.hidden > 0 {
                 <button type="button" class="link unfold" onclick={send.reform(|_| Action::Ask(AskAction::Unfold))}>
-                    { tr!("and {n} more differs" | "and {n} more differ" % pays.hidden) }
+                    { tr!("Show {n} more" | "Show {n} more" % pays.hidden) }
                 </button>
             }
             if let Some(rest) = &pays.rest { <p class="remark">{ rest.clone() }</p> }

@@ -204,12 +204,35 @@ impl Stroke {
         }
     }
 
-    /// Where it only pressed on a waypoint: the edit that takes it away.
+    /// Where it only pressed on a waypoint, or on one of several cells of a zone: the edit that
+    /// takes it away.
     pub(crate) fn toggled(&self) -> Option<Edit> {
-        match self.hold {
-            Hold::Toggle(agent) if !self.has_left => Some(Edit::DropWaypoint(agent, self.from)),
-            _ => None,
+        if self.has_left {
+            return None;
         }
+        match &self.hold {
+            Hold::Toggle(agent) => Some(Edit::DropWaypoint(*agent, self.from)),
+            Hold::Zone(name, true) if self.pressed_on_zone(name) => {
+                let away = RuleEdit::PaintZone(name.clone(), self.from, false);
+                Some(Edit::Rules(away))
+            }
+            Hold::Brush(..)
+            | Hold::Eraser
+            | Hold::Thing(_)
+            | Hold::Once(_)
+            | Hold::Zone(..)
+            | Hold::Rect(..)
+            | Hold::Lane(_) => None,
+        }
+    }
+
+    /// Whether it began on one of several cells of a zone.
+    fn pressed_on_zone(&self, name: &str) -> bool {
+        let Canvas::Scene { before, .. } = &self.canvas else {
+            return false;
+        };
+        let mut zones = before.scene().zones.iter();
+        zones.any(|zone| zone.name == name && zone.has(self.from) && zone.cells().count() > 1)
     }
 }
 

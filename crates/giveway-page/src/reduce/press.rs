@@ -65,8 +65,8 @@ pub(super) fn press(state: &mut State, cell: Cell) {
     }
 }
 
-/// Marks cells for rules: a stroke goes on with the zone that was marked last, and begun on
-/// a cell of it, takes cells away; with the other tool, it leads a lane.
+/// Marks cells for rules: a stroke goes on with the zone that was marked last; with the other
+/// tool, it leads a lane.
 pub(super) fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     stroke::release(state);
     let cell = state.document.draft.clamp(cell);
@@ -83,7 +83,7 @@ pub(super) fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     let scene = state.document.draft.scene();
     let chosen = state.view.rules.zone.as_ref();
     let zone = scene.zones.iter().find(|zone| chosen == Some(&zone.name));
-    let on = !takes && (is_rect || zone.is_none_or(|zone| !zone.has(cell)));
+    let on = !takes;
     let name = zone.map_or_else(|| fresh_zone(scene), |zone| zone.name.clone());
     let hold = if is_rect {
         Hold::Rect(name, on)

@@ -3,7 +3,11 @@
 //! The method is `giveway_planners::bottleneck`, whose bounds hold for plans of any makespan.
 
 use giveway_model::Cost;
-use giveway_planners::bottleneck::{Bottleneck, Bottlenecks};
+use giveway_planners::{
+    bottleneck::{Bottleneck, Bottlenecks},
+    problem::Relaxed,
+    rules::SharedKind,
+};
 
 use crate::{
     budget::{Budget, Stop},
@@ -26,7 +30,7 @@ pub(crate) struct CountedBound {
 pub(crate) struct Counted(());
 
 /// The proof that agents at a bottleneck cannot all arrive by the times that are demanded of
-/// them, or keep a limit of their sum of costs.
+/// them, keep a limit of their sum of costs, or come to rest in a zone.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QueueTooLong(());
 
@@ -61,6 +65,27 @@ impl Counting {
         let bottleneck = self.0.too_late(latest)?;
         Some((bottleneck.agents().collect(), QueueTooLong(())))
     }
+}
+
+/// Agents that come to rest in a zone in which fewer may be from some time on: wherever they
+/// arrive, and whenever.
+pub(super) fn too_many_rest(problem: &Problem) -> Option<(Vec<AgentId>, QueueTooLong)> {
+    if problem.relaxed != Relaxed::default() {
+        return None;
+    }
+    problem.between.rules.iter().find_map(|rule| {
+        let SharedKind::Capacity { area, most, times } = &rule.kind else {
+            return None;
+        };
+        let rests = |agent: &AgentId| {
+            let goal = problem.tasks[*agent].goal;
+            let is_counted = rule.binds(*agent) && !rule.begins_uncounted(*agent);
+            is_counted && problem.rests(*agent) && goal.is_some_and(|goal| area.has(goal))
+        };
+        let agents: Vec<AgentId> = (0..problem.agents()).filter(rests).collect();
+        let is_full = times.to.is_none() && agents.len() > *most as usize;
+        is_full.then_some((agents, QueueTooLong(())))
+    })
 }
 
 impl CountedBound {

@@ -19,7 +19,7 @@ use giveway_model::{Cost, Costs, Objective, sorting::map};
 use super::{
     aim::Bounded,
     closest::NoneCloser,
-    counting::Counting,
+    counting::{Counting, too_many_rest},
     growing::AssumptionCore,
     horizon::{AllInTime, Horizon},
     minima::{LimitTooLow, Minima},
@@ -114,6 +114,9 @@ pub(super) fn queue_too_long(
         !bounded.limits.is_empty() || agents.any(|agent| problem.not_after(agent) < u32::MAX);
     if !(is_limited || problem.has_rules_between()) {
         return Ok(None);
+    }
+    if let Some((agents, shown)) = too_many_rest(problem) {
+        return Ok(Some((agents, Some(shown.into()))));
     }
     let counting = Counting::of(problem, budget)?;
     let limit = bounded.limits.get(&Cost::Makespan).copied();

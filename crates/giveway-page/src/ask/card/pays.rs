@@ -132,7 +132,7 @@ fn rest(others: u32, moved: usize) -> Option<String> {
         (0, _) => None,
         (_, 0) => Some(tr!("All robots arrive as before.").to_owned()),
         (n, _) => Some(tr!(
-            "The other robot arrives as before." | "The other {n} arrive as before." % n
+            "The other robot moves as before." | "The other {n} move as before." % n
         )),
     }
 }
