@@ -13,7 +13,7 @@ use giveway_planners::budget::Unlimited;
 use giveway_planners::problem::Problem;
 use giveway_proof::queue::counted_at_least;
 use giveway_solve::trace::SearchEvent;
-use giveway_solve::{Limits, Request, Response, SilentHost, SolveRequest, Status, serve};
+use giveway_solve::{Limits, Reason, Request, Response, SilentHost, SolveRequest, Status, serve};
 use giveway_tests::bottleneck_random::scene_with_gate;
 use giveway_tests::environment;
 use giveway_tests::rules_oracle::{Answer, RuleScene, best};
@@ -146,5 +146,54 @@ fn many_that_change_sides_are_closed_by_counting_and_certified_so() {
             let shows = |bound| counted_at_least(&instance, (cost, bound), None, 7, &budget);
             assert_eq!((shows(least), shows(least + 1)), (Some(true), Some(false)));
         }
+    }
+}
+
+/// Where more robots come to rest in a zone than may be there, no horizon helps; with a last
+/// time, or where robots vanish, one does.
+#[test]
+fn too_many_robots_at_rest_in_a_zone_leave_no_plan() {
+    let scene = |to: Option<u32>, at_goal: &str, most: u32| {
+        let agents: Vec<_> = (0..16)
+            .map(|i| {
+                let goal = if i < 3 { [9 + i, 9] } else { [i, 19] };
+                json!({ "name": format!("A{i}"), "start": [i, 0], "goal": goal })
+            })
+            .collect();
+        let mut rule = json!({ "kind": "capacity", "zone": "z", "most": most });
+        if let Some(to) = to {
+            rule["to"] = json!(to);
+        }
+        json!({
+            "giveway": 1, "map": vec![".".repeat(20); 20], "agents": agents,
+            "rules": { "at_goal": at_goal },
+            "zones": [{ "name": "z", "rect": [9, 9, 11, 9] }], "constraints": [rule],
+        })
+    };
+    let solve = |scene: serde_json::Value| {
+        let request = Request::Solve(SolveRequest {
+            scene: native::read_scene(&scene.to_string()).unwrap(),
+            limits: Limits {
+                work: Some(3_000_000),
+                ..Limits::default()
+            },
+            ..SolveRequest::default()
+        });
+        match serve(&request, &SilentHost) {
+            Response::Solved(answer) => answer,
+            other => panic!("{other:?}"),
+        }
+    };
+    let answer = solve(scene(None, "stay", 2));
+    assert_eq!(answer.status, Status::Impossible);
+    assert!(answer.reach.is_complete());
+    let agents = ["A0", "A1", "A2"].map(str::to_owned).to_vec();
+    assert_eq!(answer.reason, Some(Reason::Clash { agents }));
+    for possible in [
+        scene(Some(12), "stay", 2),
+        scene(None, "vanish", 2),
+        scene(None, "stay", 3),
+    ] {
+        assert_ne!(solve(possible).status, Status::Impossible);
     }
 }
