@@ -171,3 +171,22 @@ fn delete_removes_what_is_lit() {
         "its rule goes, too"
     );
 }
+
+#[test]
+fn a_stroke_from_a_cell_of_a_zone_goes_on_with_it_and_a_press_takes_the_cell_away() {
+    let cells = |state: &State| state.document.draft.scene().zones[0].cells().count();
+    let longer = after(
+        &marked(),
+        [
+            Action::Board(BoardAction::Press(Cell::new(2, 3))),
+            Action::Board(BoardAction::Drag(vec![Cell::new(2, 4)])),
+            Action::Board(BoardAction::Release),
+        ],
+    );
+    assert_eq!(cells(&longer), 4, "nothing is taken away");
+    let press = [
+        Action::Board(BoardAction::Press(Cell::new(2, 4))),
+        Action::Board(BoardAction::Release),
+    ];
+    assert_eq!(cells(&after(&longer, press)), 3);
+}

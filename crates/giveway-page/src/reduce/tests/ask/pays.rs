@@ -128,7 +128,7 @@ fn nobody_is_late_and_that_is_said() {
     );
     assert_eq!(
         pays.rest.as_deref(),
-        Some("The other robot arrives as before.")
+        Some("The other robot moves as before.")
     );
 }
 
