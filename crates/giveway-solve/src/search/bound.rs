@@ -68,12 +68,14 @@ impl Bound {
         self.at_least > self.by_cores
     }
 
-    /// Whether counting shows much of what a plan with so much of the cost has beyond what cores
-    /// show: there it is worth looking for a plan that meets the bound.
+    /// Whether it is worth looking for a plan that meets the bound: of the makespan always, of
+    /// sums where counting shows much of what a plan with so much of the cost has beyond what
+    /// cores show.
     pub(super) fn is_counted_for(self, plan: u32) -> bool {
         let counted = u64::from(self.at_least - self.by_cores.min(self.at_least));
         let beyond = u64::from(plan.saturating_sub(self.by_cores));
-        self.is_counted() && PARTS_COUNTED * counted >= beyond
+        let is_much = self.cost == Cost::Makespan || PARTS_COUNTED * counted >= beyond;
+        self.is_counted() && is_much
     }
 
     /// No plan meets the bound, as a core shows.
