@@ -10,6 +10,7 @@ use giveway_solve::plan::Planner;
 use crate::asking::AskAction;
 use crate::audit::AuditAction;
 use crate::changing::Choice;
+use crate::draw::{Measure, Shape};
 use crate::files::Opened;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
@@ -139,6 +140,10 @@ pub enum IntakeAction {
 pub enum BoardAction {
     /// A tool was picked.
     PickTool(Tool),
+    /// A shape to draw was picked.
+    PickShape(Shape),
+    /// A measure of the shapes was set, in cells.
+    SetMeasure(Measure, u32),
     /// The keyboard's place on the board is this cell now.
     MoveCursor(Cell),
     /// The keyboard went so many cells right and down from where it is, as far
@@ -154,8 +159,8 @@ pub enum BoardAction {
     UseTool,
     /// The pointer went down on a cell.
     Press(Cell),
-    /// The pointer went down on a cell, or a key applied the tool, in another way: that
-    /// of the tools which mark cells for rules.
+    /// The pointer went down on a cell, or a key applied the tool, in another way:
+    /// with tools that paint, or that mark cells for rules.
     Mark {
         /// The cell.
         cell: Cell,

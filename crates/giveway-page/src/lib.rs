@@ -25,6 +25,7 @@ pub mod changing;
 pub mod course;
 mod document;
 mod draft;
+pub mod draw;
 mod edit;
 pub mod examples;
 pub mod files;

@@ -3,6 +3,7 @@
 
 use giveway_model::Cell;
 
+use crate::draw::Drawing;
 use crate::find::Find;
 use crate::freedom::Overlay;
 use crate::gesture::Gesture;
@@ -99,6 +100,8 @@ pub struct View {
     pub(crate) asker: Option<usize>,
     /// What the pointer does on the board.
     pub tool: Tool,
+    /// The shape that the tools draw, and its measures.
+    pub drawing: Drawing,
     /// What the hand is doing on the board.
     pub(crate) gesture: Gesture,
     /// The cell of the keyboard on the board.
@@ -147,6 +150,7 @@ impl Default for View {
             selection: Selection::Nothing,
             asker: None,
             tool: Tool::Select,
+            drawing: Drawing::default(),
             gesture: Gesture::None,
             cursor: Cell::new(0, 0),
             layers: Layers::default(),

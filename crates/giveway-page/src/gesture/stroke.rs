@@ -2,10 +2,10 @@
 
 use std::rc::Rc;
 
-use giveway_model::Cell;
 use giveway_model::words::Sentence;
+use giveway_model::{Cell, Grid};
 
-use super::Thing;
+use super::{Shaped, Thing};
 use crate::Draft;
 use crate::changing::Changing;
 use crate::edit::{Edit, Paint, RuleEdit, Sketch};
@@ -19,6 +19,8 @@ pub(crate) enum Hold {
     Brush(Paint, bool),
     /// Takes away what is on cells.
     Eraser,
+    /// Draws a shape from the first cell to the last.
+    Shape(Shaped),
     /// Moves a thing from the first cell to the last.
     Thing(Thing),
     /// Moves a waypoint of an agent; where it never left its cell, takes it away.
@@ -82,6 +84,16 @@ impl Canvas {
     }
 }
 
+impl Canvas {
+    /// The map before the stroke.
+    fn grid_before(&self) -> &Grid {
+        match self {
+            Self::Scene { before, .. } => before.grid(),
+            Self::World { before, .. } => before.draft().grid(),
+        }
+    }
+}
+
 impl Stroke {
     pub(crate) fn new(hold: Hold, cell: Cell, canvas: Canvas) -> Self {
         Self {
@@ -117,6 +129,8 @@ impl Stroke {
         let way = way.unwrap_or_default();
         match &mut self.hold {
             Hold::Brush(..) | Hold::Eraser | Hold::Zone(..) => self.paint(way),
+            Hold::Shape(shaped) if shaped.is_free() => self.paint(way),
+            Hold::Shape(_) => self.draw(),
             Hold::Lane(lane) => {
                 if let Canvas::Scene { sketch, .. } = &self.canvas {
                     lead(lane, way, |cell| sketch.is_blocked(cell));
@@ -134,6 +148,7 @@ impl Stroke {
         match &self.hold {
             Hold::Brush(paint, on) => Some(Edit::Paint(*paint, cell, *on)),
             Hold::Eraser => Some(Edit::Erase(cell)),
+            Hold::Shape(shaped) => Some(shaped.edit(cell)),
             Hold::Zone(name, on) => Some(Edit::Rules(RuleEdit::PaintZone(name.clone(), cell, *on))),
             Hold::Thing(_) | Hold::Toggle(_) | Hold::Once(_) | Hold::Rect(..) | Hold::Lane(_) => {
                 None
@@ -168,7 +183,7 @@ impl Stroke {
     fn moved(&self) -> Option<Edit> {
         let (from, to) = (self.from, self.at());
         Some(match &self.hold {
-            Hold::Brush(..) | Hold::Eraser | Hold::Zone(..) => return None,
+            Hold::Brush(..) | Hold::Eraser | Hold::Shape(_) | Hold::Zone(..) => return None,
             Hold::Rect(name, on) => Edit::Rules(RuleEdit::PaintRect(name.clone(), from, to, *on)),
             Hold::Lane(lane) => Edit::Rules(RuleEdit::Lane(lane.clone())),
             Hold::Once(edit) => edit.clone(),
@@ -184,7 +199,40 @@ impl Stroke {
 
     /// Moves it from where the stroke began, so that nothing is left on the way.
     fn move_thing(&mut self) {
-        let Some(edit) = self.moved() else { return };
+        let edits: Vec<Edit> = self.moved().into_iter().collect();
+        if !edits.is_empty() {
+            self.make_afresh(&edits);
+        }
+    }
+
+    /// Draws the shape from where the stroke began.
+    fn draw(&mut self) {
+        if let Hold::Shape(shaped) = &self.hold {
+            let edits = shaped.edits(self.from, self.at(), self.canvas.grid_before());
+            self.make_afresh(&edits);
+        }
+    }
+
+    /// What a shape covers so far, in words.
+    pub(crate) fn drawn(&self) -> Option<String> {
+        match &self.hold {
+            Hold::Shape(shaped) if !shaped.is_free() => {
+                Some(shaped.words(self.from, self.at(), self.canvas.grid_before()))
+            }
+            Hold::Shape(_)
+            | Hold::Brush(..)
+            | Hold::Eraser
+            | Hold::Thing(_)
+            | Hold::Toggle(_)
+            | Hold::Once(_)
+            | Hold::Zone(..)
+            | Hold::Rect(..)
+            | Hold::Lane(_) => None,
+        }
+    }
+
+    /// Makes edits of what there was before the stroke.
+    fn make_afresh(&mut self, edits: &[Edit]) {
         match &mut self.canvas {
             Canvas::Scene {
                 before,
@@ -192,12 +240,15 @@ impl Stroke {
                 shown,
             } => {
                 let mut fresh = Sketch::of(before);
-                self.refused = fresh.make(&edit).err();
+                self.refused = None;
+                for edit in edits {
+                    self.refused = self.refused.take().or(fresh.make(edit).err());
+                }
                 *shown = Rc::new(fresh.shown());
                 *sketch = Rc::new(fresh);
             }
             Canvas::World { before, after } => {
-                let (next, told) = before.with_edits(&[edit]);
+                let (next, told) = before.with_edits(edits);
                 *after = Rc::new(next);
                 self.refused = told;
             }
@@ -218,6 +269,7 @@ impl Stroke {
             }
             Hold::Brush(..)
             | Hold::Eraser
+            | Hold::Shape(_)
             | Hold::Thing(_)
             | Hold::Once(_)
             | Hold::Zone(..)

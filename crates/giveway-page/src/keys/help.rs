@@ -49,6 +49,12 @@ pub const HELP: [(Later, &[Row]); 6] = [
             row(&["A"], tr_later!("Robot")),
             row(&["G"], tr_later!("Goal")),
             row(&["W"], tr_later!("Waypoint")),
+            row(
+                &["1", "7"],
+                tr_later!("Shapes from pen to aisle (Obstacle and others)"),
+            ),
+            row(&["Shift"], tr_later!("Rectangle with the pen, else a line")),
+            row(&["Alt"], tr_later!("Take away what the tool draws")),
         ],
     ),
     (

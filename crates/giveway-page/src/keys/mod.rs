@@ -6,6 +6,7 @@ mod help;
 mod tests;
 
 use crate::audit::AuditAction;
+use crate::draw::{self, Shape};
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
 use crate::reduce::only_looks;
@@ -112,6 +113,9 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             freedom::is_offered(state).then_some(Action::Freedom(show))
         }
         "p" | "P" => Some(present::BEGIN),
+        name if shape(name, state).is_some() => {
+            shape(name, state).map(|shape| Action::Board(BoardAction::PickShape(shape)))
+        }
         name => tool(name).map(|tool| Action::Board(BoardAction::PickTool(tool))),
     };
     // Before a room, what else a key does cannot be seen.
@@ -155,6 +159,13 @@ fn with_ctrl(key: Key<'_>) -> Option<Action> {
         ("z" | "Z", true) | ("y" | "Y", false) => Some(Action::Redo),
         _ => None,
     }
+}
+
+/// The shape that a figure picks for the tool.
+fn shape(name: &str, state: &State) -> Option<Shape> {
+    let shapes = draw::row(state)?.shapes;
+    let is_key = |shape: &&Shape| name.chars().eq([shape.key()]);
+    shapes.iter().find(is_key).copied()
 }
 
 fn tool(name: &str) -> Option<Tool> {

@@ -3,6 +3,7 @@
 use giveway_model::{Cell, tr_data};
 
 use super::{ask, delete, press, rules, steer, stroke};
+use crate::draw::Shape;
 use crate::gesture::Gesture;
 use crate::steering::Lead;
 use crate::{BoardAction, Selection, State, Tool};
@@ -10,13 +11,19 @@ use crate::{BoardAction, Selection, State, Tool};
 pub(super) fn board(state: &mut State, action: BoardAction) {
     match action {
         BoardAction::PickTool(tool) => pick(state, tool),
+        BoardAction::PickShape(shape) => {
+            stroke::release(state);
+            state.view.drawing = state.view.drawing.with_shape(shape);
+        }
+        BoardAction::SetMeasure(measure, cells) => {
+            state.view.drawing = state.view.drawing.with_measure(measure, cells);
+        }
         BoardAction::MoveCursor(cell) => move_cursor(state, cell),
         BoardAction::StepCursor { by, carries } => step_cursor(state, by, carries),
         BoardAction::UseTool if state.has_stroke() => stroke::release(state),
         BoardAction::UseTool => {
             press::press(state, state.view.cursor);
-            // A lane goes on with the arrows, until the tool is used again.
-            if state.view.tool != Tool::OneWay {
+            if !stays_down(state) {
                 stroke::release(state);
             }
         }
@@ -25,11 +32,7 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
             takes,
             is_rect,
         } => {
-            if state.view.tool == Tool::Zone {
-                press::mark(state, cell, takes, is_rect);
-            } else {
-                press::press(state, cell);
-            }
+            press::press_with(state, cell, takes, is_rect);
         }
         BoardAction::Press(cell) => press::press(state, cell),
         BoardAction::Drag(cells) => {
@@ -42,6 +45,16 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         BoardAction::Abandon => stroke::abandon(state),
         BoardAction::Select(selection) => select(state, selection),
     }
+}
+
+/// Whether the arrows go on with what the tool was used for, until it is used again: a lane, or a
+/// shape between two cells.
+fn stays_down(state: &State) -> bool {
+    let stretches = match state.shape() {
+        Shape::Pen | Shape::Fill => false,
+        Shape::Rectangle | Shape::Line | Shape::Racks | Shape::Blocks | Shape::Aisle => true,
+    };
+    state.view.tool == Tool::OneWay || stretches
 }
 
 /// Picks a tool; what another was doing is over.
@@ -105,10 +118,12 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
         x.saturating_add_signed(right),
         y.saturating_add_signed(down),
     );
-    if state.has_stroke() || (carries && state.view.tool == Tool::Zone) {
+    let draws =
+        carries && (state.view.tool == Tool::Zone || !Shape::of(state.view.tool).is_empty());
+    if state.has_stroke() || draws {
         // A lane goes on, or a rectangle is drawn.
         if !state.has_stroke() {
-            press::mark(state, state.view.cursor, false, true);
+            press::press_with(state, state.view.cursor, false, true);
         }
         stroke::drag(state, to);
     }

@@ -8,14 +8,20 @@ use giveway_model::{Agent, Cell, tr_data};
 use super::board::select;
 use super::{ask, steer, stroke};
 use crate::changing::Changing;
+use crate::draw::Shape;
 use crate::edit::{Edit, Paint};
-use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke, Thing};
+use crate::gesture::{Canvas, Gesture, Hold, Ink, Placing, Shaped, Stroke, Thing};
 use crate::rules::fresh_zone;
 use crate::steering::Lead;
 use crate::{Selection, State, Tool};
 
 /// The pointer went down, or a key applied the tool.
 pub(super) fn press(state: &mut State, cell: Cell) {
+    press_with(state, cell, false, false);
+}
+
+/// The same in another way: to take away, or to draw a rectangle.
+pub(super) fn press_with(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     stroke::release(state);
     let cell = state.document.draft.clamp(cell);
     if state.document.mode.steering().is_some() {
@@ -48,12 +54,18 @@ pub(super) fn press(state: &mut State, cell: Cell) {
             None if state.view.tool == Tool::Goal => press_goal(state, cell),
             None => press_waypoint(state, cell),
         },
+        Tool::Obstacle | Tool::Charger | Tool::SlowZone | Tool::Erase
+            if takes || shape(state, is_rect) != Shape::Pen =>
+        {
+            begin(state, Hold::Shape(shaped(state, takes, is_rect)), cell);
+            stroke::drag(state, cell);
+        }
         Tool::Erase => {
             let hold = changing.map_or(Hold::Eraser, |changing| erased(state, &changing, cell));
             begin(state, hold, cell);
             stroke::drag(state, cell);
         }
-        Tool::Zone | Tool::OneWay => mark(state, cell, false, false),
+        Tool::Zone | Tool::OneWay => mark(state, cell, takes, is_rect),
         tool @ (Tool::Obstacle | Tool::Charger | Tool::SlowZone) => {
             let paint = tool.paint().unwrap_or(Paint::Obstacle);
             let ground = state.world().grid().ground(cell);
@@ -65,9 +77,28 @@ pub(super) fn press(state: &mut State, cell: Cell) {
     }
 }
 
+/// The shape that a stroke draws. Shift draws a rectangle with the pen, else a line.
+fn shape(state: &State, is_shifted: bool) -> Shape {
+    match (state.shape(), is_shifted && state.can_pick_shapes()) {
+        (Shape::Pen, true) => Shape::Rectangle,
+        (_, true) => Shape::Line,
+        (shape, false) => shape,
+    }
+}
+
+/// What the tool draws as a shape.
+fn shaped(state: &State, takes: bool, is_shifted: bool) -> Shaped {
+    let tool = state.view.tool;
+    let shape = shape(state, is_shifted);
+    let ink = tool.paint().map_or(Ink::Erase, |paint| {
+        Ink::Paint(paint, !takes && shape != Shape::Aisle)
+    });
+    Shaped::new(shape, ink, state.view.drawing)
+}
+
 /// Marks cells for rules: a stroke goes on with the zone that was marked last; with the other
 /// tool, it leads a lane.
-pub(super) fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
+fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     stroke::release(state);
     let cell = state.document.draft.clamp(cell);
     if !state.can_write_rules() {
