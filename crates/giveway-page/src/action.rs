@@ -13,6 +13,7 @@ use crate::changing::Choice;
 use crate::draw::{Measure, Shape};
 use crate::files::Opened;
 use crate::find::FindAction;
+use crate::fleet::FleetAction;
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
@@ -57,6 +58,8 @@ pub enum Action {
     Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
+    /// Several robots are to come onto the board.
+    Fleet(FleetAction),
     /// What all best plans share is laid over the plan.
     Freedom(FreedomAction),
     /// Who costs whom is asked of the plan.

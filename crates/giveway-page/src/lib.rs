@@ -30,6 +30,7 @@ mod edit;
 pub mod examples;
 pub mod files;
 pub mod find;
+pub mod fleet;
 pub mod freedom;
 pub mod front;
 mod gesture;

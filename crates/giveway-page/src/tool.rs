@@ -109,6 +109,11 @@ impl Tool {
         }
     }
 
+    /// Whether it paints the ground of cells, or takes it away.
+    pub(crate) fn can_paint(self) -> bool {
+        self.paint().is_some() || self == Self::Erase
+    }
+
     /// Whether it is about rules of the scene's own.
     pub const fn is_of_rules(self) -> bool {
         matches!(self, Self::Zone | Self::OneWay)

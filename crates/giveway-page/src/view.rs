@@ -5,6 +5,7 @@ use giveway_model::Cell;
 
 use crate::draw::Drawing;
 use crate::find::Find;
+use crate::fleet::Fleet;
 use crate::freedom::Overlay;
 use crate::gesture::Gesture;
 use crate::ledger::LedgerView;
@@ -102,6 +103,8 @@ pub struct View {
     pub tool: Tool,
     /// The shape that the tools draw, and its measures.
     pub drawing: Drawing,
+    /// Robots that are to come onto the board at once.
+    pub(crate) fleet: Option<Fleet>,
     /// What the hand is doing on the board.
     pub(crate) gesture: Gesture,
     /// The cell of the keyboard on the board.
@@ -151,6 +154,7 @@ impl Default for View {
             asker: None,
             tool: Tool::Select,
             drawing: Drawing::default(),
+            fleet: None,
             gesture: Gesture::None,
             cursor: Cell::new(0, 0),
             layers: Layers::default(),

@@ -9,6 +9,7 @@ use giveway_page::{Action, State, ViewAction};
 use yew::prelude::*;
 
 use super::differences;
+use super::options::options;
 use super::viewport::Look;
 use crate::{glyph, icon, slot};
 
@@ -53,12 +54,15 @@ pub(super) fn under(props: &Under<'_>) -> Html {
     };
     let said = slot::said(props.state);
     let differences = differences::row(props.state, props.send).filter(|_| said.is_none());
-    let is_covered = said.is_some() || differences.is_some();
+    let options =
+        options(props.state, props.send).filter(|_| said.is_none() && differences.is_none());
+    let is_covered = said.is_some() || differences.is_some() || options.is_some();
     html! {
         <div class="under">
             { slot::show(props.state, said.as_ref(), props.send) }
             <ul class="legend" aria-label={tr!("Legend")} hidden={is_covered}>{ signs }</ul>
             { differences }
+            { options }
             <div class="zoom" role="group" aria-label={tr!("View")}>
                 { find(props) }
                 { follow(props) }

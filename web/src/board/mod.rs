@@ -26,6 +26,7 @@ mod losses;
 mod marks;
 mod minimap;
 mod motion;
+mod options;
 mod paper;
 mod picture;
 mod preview;

@@ -7,6 +7,7 @@ mod audit;
 mod cell;
 mod change;
 mod edit;
+mod fleet;
 mod freedom;
 mod front;
 mod inside;
@@ -71,6 +72,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 // Where no button is in it, the keyboard scrolls the place itself.
                 <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
                 { inside::foot(&column, send) }
+            } else if let Some(card) = giveway_page::fleet::card(state) {
+                <div class="scroll" key="fleet">{ fleet::show(&card, send) }</div>
+                { fleet::foot(&card, send) }
             } else if let Some(card) = giveway_page::rules::card(state) {
                 <div class="scroll" key="rule">{ rule_card::show(&card, send) }</div>
                 { rule_card::foot(&card, send) }

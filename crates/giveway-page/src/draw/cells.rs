@@ -19,10 +19,10 @@ pub(crate) fn drawn(shape: Shape, from: Cell, to: Cell, sizes: &Drawing, grid: &
     let every = sizes.measure(Measure::Every);
     let plain = |cells| Drawn { cells, pieces: 0 };
     match shape {
-        Shape::Pen => plain(vec![to]),
+        Shape::Pen | Shape::One => plain(vec![to]),
         Shape::Aisle => plain(Area::of(from, to).cells().collect()),
         Shape::Rectangle => plain(spaced(Area::of(from, to), every).collect()),
-        Shape::Line => plain(straight(from, to).step_by(every as usize).collect()),
+        Shape::Line | Shape::Row => plain(straight(from, to).step_by(every as usize).collect()),
         Shape::Fill => plain(connected(grid, to)),
         Shape::Racks => racks(Area::of(from, to), sizes),
         Shape::Blocks => blocks(Area::of(from, to), sizes),
@@ -65,7 +65,7 @@ fn spaced(area: Area, every: u32) -> impl Iterator<Item = Cell> {
 }
 
 /// A straight line in the one of eight directions that is nearest.
-fn straight(from: Cell, to: Cell) -> impl Iterator<Item = Cell> {
+pub(crate) fn straight(from: Cell, to: Cell) -> impl Iterator<Item = Cell> {
     let (across, down) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
     let (x, y, steps) = if 2 * down < across {
         (true, false, across)

@@ -10,7 +10,7 @@ use giveway_model::tr;
 
 use crate::Tool;
 
-pub(crate) use cells::{Drawn, drawn};
+pub(crate) use cells::{Drawn, drawn, straight};
 pub use row::{Field, Row, row};
 
 /// What a stroke of a tool that paints covers.
@@ -31,11 +31,15 @@ pub enum Shape {
     Blocks,
     /// A way that is cut through obstacles.
     Aisle,
+    /// One robot, then its goal.
+    One,
+    /// A row of robots, then a row of their goals.
+    Row,
 }
 
 impl Shape {
-    /// All shapes, in the order of their keys.
-    pub const ALL: [Self; 7] = [
+    /// The shapes of obstacles, in the order of their keys.
+    pub const GROUND: [Self; 7] = [
         Self::Pen,
         Self::Rectangle,
         Self::Line,
@@ -49,14 +53,10 @@ impl Shape {
     /// The shapes that a tool can draw; none where it does not paint.
     pub const fn of(tool: Tool) -> &'static [Self] {
         match tool {
-            Tool::Obstacle => &Self::ALL,
+            Tool::Obstacle => &Self::GROUND,
             Tool::Charger | Tool::SlowZone | Tool::Erase => &Self::PLAIN,
-            Tool::Select
-            | Tool::Zone
-            | Tool::OneWay
-            | Tool::Agent
-            | Tool::Goal
-            | Tool::Waypoint => &[],
+            Tool::Agent => &[Self::One, Self::Row],
+            Tool::Select | Tool::Zone | Tool::OneWay | Tool::Goal | Tool::Waypoint => &[],
         }
     }
 
@@ -70,14 +70,16 @@ impl Shape {
             Self::Racks => tr!("a shape" => "Racks"),
             Self::Blocks => tr!("a shape" => "Blocks"),
             Self::Aisle => tr!("a shape" => "Aisle"),
+            Self::One => tr!("robots to place" => "One"),
+            Self::Row => tr!("robots to place" => "Several"),
         }
     }
 
     /// The key that picks it.
     pub const fn key(self) -> char {
         match self {
-            Self::Pen => '1',
-            Self::Rectangle => '2',
+            Self::Pen | Self::One => '1',
+            Self::Rectangle | Self::Row => '2',
             Self::Line => '3',
             Self::Fill => '4',
             Self::Racks => '5',
@@ -96,6 +98,8 @@ impl Shape {
             Self::Racks => "racks",
             Self::Blocks => "blocks",
             Self::Aisle => "aisle",
+            Self::One => "agent",
+            Self::Row => "many",
         }
     }
 }
@@ -115,6 +119,8 @@ pub enum Measure {
     BlockGap,
     /// From one charger to the next.
     Every,
+    /// From one robot of a row to the next.
+    RobotEvery,
 }
 
 /// The largest measure, in cells.
@@ -124,6 +130,9 @@ pub const LONGEST: u32 = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drawing {
     shape: Shape,
+    /// Whether robots come in rows.
+    in_rows: bool,
+    robot_every: u32,
     rack: (u32, u32),
     block: (u32, u32, u32),
     every: u32,
@@ -133,6 +142,8 @@ impl Default for Drawing {
     fn default() -> Self {
         Self {
             shape: Shape::Pen,
+            in_rows: false,
+            robot_every: 2,
             rack: (2, 1),
             block: (2, 2, 1),
             every: 1,
@@ -144,6 +155,9 @@ impl Drawing {
     /// The shape that a tool draws: the one picked last, or a rectangle where the tool does not
     /// know it.
     pub fn shape(&self, tool: Tool) -> Shape {
+        if tool == Tool::Agent {
+            return if self.in_rows { Shape::Row } else { Shape::One };
+        }
         let shapes = Shape::of(tool);
         match shapes.contains(&self.shape) {
             true => self.shape,
@@ -154,7 +168,19 @@ impl Drawing {
 
     /// The same with another shape.
     pub(crate) const fn with_shape(self, shape: Shape) -> Self {
-        Self { shape, ..self }
+        match shape {
+            Shape::One | Shape::Row => Self {
+                in_rows: matches!(shape, Shape::Row),
+                ..self
+            },
+            Shape::Pen
+            | Shape::Rectangle
+            | Shape::Line
+            | Shape::Fill
+            | Shape::Racks
+            | Shape::Blocks
+            | Shape::Aisle => Self { shape, ..self },
+        }
     }
 
     /// A measure, in cells.
@@ -166,6 +192,7 @@ impl Drawing {
             Measure::BlockHeight => self.block.1,
             Measure::BlockGap => self.block.2,
             Measure::Every => self.every,
+            Measure::RobotEvery => self.robot_every,
         }
     }
 
@@ -178,6 +205,7 @@ impl Drawing {
             Measure::BlockHeight => &mut self.block.1,
             Measure::BlockGap => &mut self.block.2,
             Measure::Every => &mut self.every,
+            Measure::RobotEvery => &mut self.robot_every,
         };
         *place = cells.clamp(1, LONGEST);
         self

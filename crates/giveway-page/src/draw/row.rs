@@ -37,7 +37,10 @@ pub struct Row {
 pub fn row(state: &State) -> Option<Row> {
     let tool = state.view.tool;
     let shapes = Shape::of(tool);
-    if shapes.is_empty() || !state.can_pick_shapes() {
+    if shapes.is_empty()
+        || !state.can_pick_shapes()
+        || (tool == Tool::Agent && !state.can_place_fleet())
+    {
         return None;
     }
     let shape = state.shape();
@@ -45,9 +48,27 @@ pub fn row(state: &State) -> Option<Row> {
         shapes,
         shape,
         fields: fields(tool, shape),
-        remark: matches!(shape, Shape::Aisle).then(|| tr!("cuts through what is there")),
+        remark: remark(state, shape),
         drawn: state.stroke().and_then(|stroke| stroke.drawn()),
     })
+}
+
+/// What a shape does, where that needs words.
+fn remark(state: &State, shape: Shape) -> Option<&'static str> {
+    match shape {
+        Shape::Aisle => Some(tr!("cuts through what is there")),
+        Shape::One => Some(tr!("Press: its start. Then its goal.")),
+        Shape::Row if state.view.fleet.is_none() => {
+            Some(tr!("Drag: where they start. Then where they go."))
+        }
+        Shape::Row
+        | Shape::Pen
+        | Shape::Rectangle
+        | Shape::Line
+        | Shape::Fill
+        | Shape::Racks
+        | Shape::Blocks => None,
+    }
 }
 
 fn fields(tool: Tool, shape: Shape) -> Vec<Field> {
@@ -98,7 +119,15 @@ fn fields(tool: Tool, shape: Shape) -> Vec<Field> {
             tr!("one every"),
             tr!("cells"),
         )],
-        Shape::Pen | Shape::Rectangle | Shape::Line | Shape::Fill | Shape::Aisle => Vec::new(),
+        Shape::Row => vec![field(
+            Measure::RobotEvery,
+            tr!("From one robot to the next, cells"),
+            tr!("one every"),
+            tr!("cells"),
+        )],
+        Shape::Pen | Shape::Rectangle | Shape::Line | Shape::Fill | Shape::Aisle | Shape::One => {
+            Vec::new()
+        }
     }
 }
 
@@ -111,7 +140,10 @@ impl State {
 
     /// The shape that the tool draws.
     pub fn shape(&self) -> Shape {
-        if self.can_pick_shapes() {
+        let places_one = self.view.tool == Tool::Agent && !self.can_place_fleet();
+        if places_one {
+            Shape::One
+        } else if self.can_pick_shapes() {
             self.view.drawing.shape(self.view.tool)
         } else {
             Shape::Pen

@@ -15,7 +15,7 @@ use giveway_model::{Agent, AtGoal, Battery, Cell, Constraint, Objective};
 
 pub use fill::{DENSEST, Fill};
 pub(crate) use repair::repair;
-pub(crate) use scene::fresh_name;
+pub(crate) use scene::{fresh_name, fresh_names};
 pub(crate) use sketch::Sketch;
 
 /// What a brush paints on a cell, and takes away again.
@@ -42,6 +42,8 @@ pub enum Edit {
 
     /// An agent comes onto the board.
     AddAgent(Agent),
+    /// Several agents come onto the board.
+    AddAgents(Vec<Agent>),
     /// Takes an agent away.
     RemoveAgent(usize),
     /// Where an agent begins.

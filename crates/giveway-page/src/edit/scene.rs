@@ -1,5 +1,7 @@
 //! Edits made of the scene as it is now.
 
+use std::collections::BTreeSet;
+
 use giveway_model::words::Sentence;
 use giveway_model::{Agent, Battery, Cell, Grid, Ground, Scene, tr_data};
 
@@ -33,6 +35,7 @@ impl Sketch {
                 }
                 self.scene.agents.push(agent.clone());
             }
+            Edit::AddAgents(agents) => self.scene.agents.extend(agents.iter().cloned()),
             Edit::RemoveAgent(agent) => {
                 if *agent < self.scene.agents.len() {
                     self.scene.agents.remove(*agent);
@@ -272,7 +275,14 @@ pub(super) fn short(name: &str) -> String {
 
 /// A name that no agent has: `A7`, of the least free number.
 pub(crate) fn fresh_name(scene: &Scene) -> String {
-    let is_free = |name: &String| scene.agents.iter().all(|agent| agent.name != *name);
-    let names = (1..=scene.agents.len() + 1).map(|number| format!("A{number}"));
-    names.into_iter().find(is_free).unwrap_or_default()
+    fresh_names(scene, 1).pop().unwrap_or_default()
+}
+
+/// So many names that no agent has, of the least free numbers.
+pub(crate) fn fresh_names(scene: &Scene, count: usize) -> Vec<String> {
+    let names = scene.agents.iter().map(|agent| agent.name.as_str());
+    let taken: BTreeSet<&str> = names.collect();
+    let names = (1..=scene.agents.len() + count).map(|number| format!("A{number}"));
+    let free = names.filter(|name| !taken.contains(name.as_str()));
+    free.take(count).collect()
 }

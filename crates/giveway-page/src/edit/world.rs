@@ -79,6 +79,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         Edit::SetBattery(_, None)
         | Edit::Rename(..)
         | Edit::Name(_)
+        | Edit::AddAgents(_)
         | Edit::Resize(..)
         | Edit::Clear
         | Edit::Fill(_)

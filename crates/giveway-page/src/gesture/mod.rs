@@ -24,6 +24,8 @@ pub(crate) enum Gesture {
     Stroke(Rc<Stroke>),
     /// An agent is being placed.
     Placing(Placing),
+    /// A row of starts or goals is being drawn.
+    Row,
 }
 
 /// An agent on its way onto the board: its start is chosen, its goal not yet.

@@ -76,7 +76,7 @@ impl Shaped {
                 tr!("{size}: {blocks}, {cells}", size, blocks, cells)
             }
             Shape::Rectangle | Shape::Aisle => tr!("{size}: {cells}", size, cells),
-            Shape::Pen | Shape::Line | Shape::Fill => cells,
+            Shape::Pen | Shape::Line | Shape::Fill | Shape::One | Shape::Row => cells,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Escape, which closes one thing after the other.
 
+use crate::fleet::FleetAction;
 use crate::freedom::FreedomAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
@@ -12,7 +13,7 @@ use crate::{
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, the
-/// welcome, robots that are looked at alone, a rule that is being written, the other plan of a
+/// welcome, robots that are looked at alone, robots that are to be added, a rule that is being written, the other plan of a
 /// question, the question, what is led, the selection, the changes of the world, the ledger, what is
 /// laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
@@ -34,6 +35,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Slot(SlotAction::Close))
     } else if state.is_inside() && state.inside.alone.is_some() {
         Some(Action::Inside(InsideAction::Alone(false)))
+    } else if state.view.fleet.is_some() {
+        Some(Action::Fleet(FleetAction::Cancel))
     } else if state.is_writing_rule() {
         let open = state.view.rules.writing.as_ref();
         let has_open = open.is_some_and(|writing| writing.open.is_some());

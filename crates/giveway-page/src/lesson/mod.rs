@@ -178,6 +178,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Inside(_)
         | Action::Freedom(_)
         | Action::Ledger(_)
+        | Action::Fleet(_)
         | Action::Find(_) => Fate::Closed(NOT_NOW.text()),
     }
 }

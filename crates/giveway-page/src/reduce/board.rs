@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, tr_data};
 
-use super::{ask, delete, press, rules, steer, stroke};
+use super::{ask, delete, fleet, press, rules, steer, stroke};
 use crate::draw::Shape;
 use crate::gesture::Gesture;
 use crate::steering::Lead;
@@ -17,10 +17,12 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         }
         BoardAction::SetMeasure(measure, cells) => {
             state.view.drawing = state.view.drawing.with_measure(measure, cells);
+            let every = state.robot_every();
+            state.view.fleet = state.view.fleet.take().map(|fleet| fleet.with_every(every));
         }
         BoardAction::MoveCursor(cell) => move_cursor(state, cell),
         BoardAction::StepCursor { by, carries } => step_cursor(state, by, carries),
-        BoardAction::UseTool if state.has_stroke() => stroke::release(state),
+        BoardAction::UseTool if state.is_drawing() => stroke::release(state),
         BoardAction::UseTool => {
             press::press(state, state.view.cursor);
             if !stays_down(state) {
@@ -51,8 +53,13 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
 /// shape between two cells.
 fn stays_down(state: &State) -> bool {
     let stretches = match state.shape() {
-        Shape::Pen | Shape::Fill => false,
-        Shape::Rectangle | Shape::Line | Shape::Racks | Shape::Blocks | Shape::Aisle => true,
+        Shape::Pen | Shape::Fill | Shape::One => false,
+        Shape::Rectangle
+        | Shape::Line
+        | Shape::Racks
+        | Shape::Blocks
+        | Shape::Aisle
+        | Shape::Row => true,
     };
     state.view.tool == Tool::OneWay || stretches
 }
@@ -64,6 +71,9 @@ fn pick(state: &mut State, tool: Tool) {
         return;
     }
     stroke::abandon(state);
+    if tool != Tool::Agent {
+        fleet::settle(state);
+    }
     if state.view.tool == tool {
         // Another zone begins.
         state.view.rules.zone = None;
@@ -118,11 +128,10 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
         x.saturating_add_signed(right),
         y.saturating_add_signed(down),
     );
-    let draws =
-        carries && (state.view.tool == Tool::Zone || !Shape::of(state.view.tool).is_empty());
-    if state.has_stroke() || draws {
+    let draws = carries && (state.view.tool == Tool::Zone || state.view.tool.can_paint());
+    if state.is_drawing() || draws {
         // A lane goes on, or a rectangle is drawn.
-        if !state.has_stroke() {
+        if !state.is_drawing() {
             press::press_with(state, state.view.cursor, false, true);
         }
         stroke::drag(state, to);

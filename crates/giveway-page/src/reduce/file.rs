@@ -134,6 +134,7 @@ pub(super) fn replace(state: &mut State, document: Document) {
     view.notice = None;
     view.selection = Selection::Nothing;
     view.tool = Tool::Select;
+    view.fleet = None;
     view.follow = false;
     view.find = None;
     view.conflict = None;

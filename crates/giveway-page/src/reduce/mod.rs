@@ -8,6 +8,7 @@ mod delete;
 mod document;
 mod file;
 mod find;
+mod fleet;
 mod freedom;
 mod inside;
 mod intake;
@@ -75,6 +76,7 @@ fn step(state: &mut State, action: Action) {
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
+        Action::Fleet(action) => fleet::fleet(state, action),
         Action::Freedom(action) => freedom::freedom(state, action),
         Action::Ledger(action) => ledger::ledger(state, action),
         Action::Intake(action) => intake::intake(state, action),
@@ -113,6 +115,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Inside(_)
         | Action::Rules(_)
         | Action::Find(_)
+        | Action::Fleet(_)
         | Action::Freedom(_)
         | Action::Ledger(_)
         | Action::Intake(_)

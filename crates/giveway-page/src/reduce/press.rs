@@ -6,7 +6,7 @@ use giveway_model::words::Sentence;
 use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
-use super::{ask, steer, stroke};
+use super::{ask, fleet, steer, stroke};
 use crate::changing::Changing;
 use crate::draw::Shape;
 use crate::edit::{Edit, Paint};
@@ -48,6 +48,7 @@ pub(super) fn press_with(state: &mut State, cell: Cell, takes: bool, is_rect: bo
                 begin(state, Hold::Thing(thing), cell);
             }
         }
+        Tool::Agent if state.shape() == Shape::Row => fleet::press(state, cell),
         Tool::Agent => press_agent(state, cell),
         Tool::Goal | Tool::Waypoint => match &changing {
             Some(changing) => press_task(state, changing, cell),

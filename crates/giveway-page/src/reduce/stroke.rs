@@ -9,6 +9,7 @@ use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
 use super::rules;
 use crate::edit::Sketch;
+use crate::fleet::Fleet;
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
 use crate::{Activity, Document, Draft, Edit, Notice, Selection, State};
 
@@ -18,6 +19,11 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
     match &mut state.view.gesture {
         Gesture::None => return,
         Gesture::Placing(placing) => placing.goal = cell,
+        Gesture::Row => {
+            if let Some(fleet) = &mut state.view.fleet {
+                fleet.stretch(cell);
+            }
+        }
         Gesture::Stroke(stroke) => Rc::make_mut(stroke).go(cell),
     }
     state.view.cursor = cell;
@@ -31,7 +37,7 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
 /// Ends a stroke. An agent whose goal is not chosen yet waits for it.
 pub(super) fn release(state: &mut State) {
     match std::mem::take(&mut state.view.gesture) {
-        Gesture::None => {}
+        Gesture::None | Gesture::Row => {}
         Gesture::Placing(placing) if placing.is_held => lift(state, placing),
         waiting @ Gesture::Placing(_) => state.view.gesture = waiting,
         Gesture::Stroke(stroke) => finish(state, Rc::unwrap_or_clone(stroke)),
@@ -103,7 +109,11 @@ fn place(state: &mut State, Placing { start, goal, .. }: Placing) {
         start,
         goal: Some(goal),
         waypoints: Vec::new(),
-        battery: None,
+        battery: state
+            .world()
+            .agents()
+            .last()
+            .and_then(|agent| agent.battery),
         heading: None,
     };
     let count = state.world().agents().len();
@@ -115,5 +125,8 @@ fn place(state: &mut State, Placing { start, goal, .. }: Placing) {
 
 /// Leaves a stroke or a placing as if it had never begun.
 pub(super) fn abandon(state: &mut State) {
+    if state.view.gesture == Gesture::Row {
+        state.view.fleet = state.view.fleet.take().and_then(Fleet::without_goals);
+    }
     state.view.gesture = Gesture::None;
 }

@@ -10,7 +10,7 @@ impl State {
     pub(crate) fn stroke(&self) -> Option<&Stroke> {
         match &self.view.gesture {
             Gesture::Stroke(stroke) => Some(stroke),
-            Gesture::None | Gesture::Placing(_) => None,
+            Gesture::None | Gesture::Placing(_) | Gesture::Row => None,
         }
     }
 
@@ -18,7 +18,7 @@ impl State {
     pub const fn placing(&self) -> Option<Placing> {
         match &self.view.gesture {
             Gesture::Placing(placing) => Some(*placing),
-            Gesture::None | Gesture::Stroke(_) => None,
+            Gesture::None | Gesture::Stroke(_) | Gesture::Row => None,
         }
     }
 
@@ -26,6 +26,11 @@ impl State {
     /// nothing else has changed.
     pub fn has_stroke(&self) -> bool {
         self.stroke().is_some()
+    }
+
+    /// Whether a stroke or a row is being made: the arrows stretch it.
+    pub(crate) fn is_drawing(&self) -> bool {
+        matches!(self.view.gesture, Gesture::Stroke(_) | Gesture::Row)
     }
 
     /// Whether the hand is doing something on the board.

@@ -5,7 +5,7 @@ mod begin;
 mod known;
 mod preview;
 
-use super::{ask, inside, planners, proof};
+use super::{ask, fleet, inside, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -21,7 +21,10 @@ const SMALL: usize = 12;
 pub(super) fn solve(state: &mut State, action: &SolveAction) {
     match *action {
         SolveAction::Begin => start(state, Start::quiet()),
-        SolveAction::Solve => start(state, Start::step()),
+        SolveAction::Solve => {
+            fleet::settle(state);
+            start(state, Start::step());
+        }
         SolveAction::Plan(planner) => start(state, Start::by(planner)),
         SolveAction::ShowPlan(by) => planners::show(state, by),
         SolveAction::ShowBeside(by) => planners::beside(state, by),
