@@ -17,7 +17,7 @@ pub(super) fn options(state: &State, send: &Callback<Action>) -> Option<Html> {
     Some(html! {
         <div class="toolopts" role="group" aria-label={tr!("Shape")}>
             <div class="seg">{ for row.shapes.iter().map(shape) }</div>
-            <p>{ for row.fields.iter().map(field) }{ row.remark.unwrap_or_default() }</p>
+            <p>{ for row.fields.iter().map(field) }if let Some(remark) = row.remark { <span>{ remark }</span> }</p>
             <output role="status">{ row.drawn.clone() }</output>
         </div>
     })

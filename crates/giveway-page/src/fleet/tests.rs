@@ -52,8 +52,8 @@ fn two_drags_and_a_sentence_are_sixteen_robots() {
         &[
             FleetAction::Back(true),
             FleetAction::Waypoints(2),
-            FleetAction::Battery(Some(80)),
-            FleetAction::Level(60),
+            FleetAction::Battery(Some(400)),
+            FleetAction::Level(300),
         ],
     );
     let said = card(&state).unwrap();
@@ -75,8 +75,8 @@ fn two_drags_and_a_sentence_are_sixteen_robots() {
         assert_eq!(
             agent.battery,
             Some(Battery {
-                capacity: 80,
-                initial: 60
+                capacity: 400,
+                initial: 300
             })
         );
         let grid = added.world().grid();
