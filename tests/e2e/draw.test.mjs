@@ -30,7 +30,11 @@ describe("a floor", () => {
       };
       const drag = async (from, to) => {
         actions += 1;
-        await playground.stroke(from, to);
+        const [first, last] = [await middle(playground, from), await middle(playground, to)];
+        await page.mouse.move(first.x, first.y);
+        await page.mouse.down();
+        await page.mouse.move(last.x, last.y, { steps: 4 });
+        await page.mouse.up();
       };
       await press("New");
       actions += 1;
@@ -94,3 +98,11 @@ describe("a floor", () => {
     await playground.cellTells(0, 1, /^obstacle$/);
   }, { screens: ["phone"] });
 });
+
+/** The middle of a cell on the screen: of a large floor not every cell is an element. */
+function middle(playground, [x, y]) {
+  return playground.board.evaluate((board, [x, y]) => {
+    const { a, e, f } = board.getScreenCTM();
+    return { x: (100 * x + 50) * a + e, y: (100 * y + 50) * a + f };
+  }, [x, y]);
+}
