@@ -4,7 +4,9 @@ use giveway_model::{Cell, Question};
 use giveway_solve::plan::Planner;
 
 use super::Session;
+use crate::draw::Shape;
 use crate::find::FindAction;
+use crate::fleet::FleetAction;
 use crate::freedom::FreedomAction;
 use crate::inside::{InsideAction, Method};
 use crate::ledger::{LedgerAction, LedgerLit};
@@ -32,7 +34,8 @@ impl Session {
     pub(super) fn next(&mut self) -> Vec<Action> {
         match self.rng.u8(0..100) {
             0..25 => self.stroke(),
-            25..40 => vec![Action::Undo],
+            25..28 => vec![Action::Fleet(self.fleet())],
+            28..40 => vec![Action::Undo],
             40..48 => vec![Action::Redo],
             48..58 => vec![Action::Edit(self.edit())],
             58..72 => self.solve(),
@@ -78,7 +81,18 @@ impl Session {
 
     fn stroke(&mut self) -> Vec<Action> {
         let tool = *self.rng.choice(&Tool::ALL).unwrap();
-        let mut actions = vec![BoardAction::PickTool(tool), BoardAction::Press(self.cell())];
+        let mut actions = vec![BoardAction::PickTool(tool)];
+        if let Some(&shape) = self.rng.choice(Shape::of(tool)) {
+            actions.push(BoardAction::PickShape(shape));
+        }
+        actions.push(match self.rng.u8(0..4) {
+            0 => BoardAction::Mark {
+                cell: self.cell(),
+                takes: self.rng.bool(),
+                is_rect: self.rng.bool(),
+            },
+            _ => BoardAction::Press(self.cell()),
+        });
         for _ in 0..self.rng.usize(0..4) {
             actions.push(BoardAction::Drag(vec![self.cell()]));
         }
@@ -89,6 +103,20 @@ impl Session {
             _ => actions.push(BoardAction::Release),
         }
         actions.into_iter().map(Action::Board).collect()
+    }
+
+    /// What is said of several robots, whether or not rows of them were drawn.
+    fn fleet(&mut self) -> FleetAction {
+        match self.rng.u8(0..8) {
+            0 => FleetAction::Count(self.rng.bool().then(|| self.rng.u32(0..9))),
+            1 => FleetAction::Back(self.rng.bool()),
+            2 => FleetAction::Waypoints(self.rng.u32(0..4)),
+            3 => FleetAction::DrawAgain,
+            4 => FleetAction::Battery(self.rng.bool().then(|| self.rng.u32(1..30))),
+            5 => FleetAction::Level(self.rng.u32(0..30)),
+            6 => FleetAction::Add,
+            _ => FleetAction::Cancel,
+        }
     }
 
     fn edit(&mut self) -> Edit {
