@@ -45,6 +45,9 @@ pub(crate) fn of_look(look: usize) -> Html {
             if let Some(rim) = form.rim {
                 <path class="rim" d={rim} />
             }
+            if let Some(cut) = form.cut {
+                <path class="cut" d={cut} />
+            }
         </>
     }
 }

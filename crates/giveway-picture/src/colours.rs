@@ -6,10 +6,10 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::tr_later;
 use giveway_model::words::Later;
 
-use crate::form::LOOKS;
+use crate::form::COLOURED;
 
 /// What the colours are called, in the order of the looks that they come with.
-pub const COLOURS: [Later; LOOKS] = [
+pub const COLOURS: [Later; COLOURED] = [
     tr_later!("a colour" => "Blue"),
     tr_later!("a colour" => "Sea"),
     tr_later!("a colour" => "Plum"),
@@ -35,7 +35,7 @@ pub const COLOURS: [Later; LOOKS] = [
 /// assert_eq!((colours.of(2), colours.of(3)), (7, 3));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
-pub struct Colours([u8; LOOKS]);
+pub struct Colours([u8; COLOURED]);
 
 impl Default for Colours {
     fn default() -> Self {
@@ -46,23 +46,23 @@ impl Default for Colours {
 impl Colours {
     /// The colour of an agent, by its index in the scene: an index of [`COLOURS`].
     pub fn of(&self, agent: usize) -> usize {
-        usize::from(self.0[agent % LOOKS])
+        usize::from(self.0[agent % COLOURED])
     }
 
     /// Gives an agent a colour; one that does not exist changes nothing.
     pub fn set(&mut self, agent: usize, colour: usize) {
-        if colour < LOOKS {
-            self.0[agent % LOOKS] = colour as u8;
+        if colour < COLOURED {
+            self.0[agent % COLOURED] = colour as u8;
         }
     }
 
     /// All of them as one number a look, in their order.
-    pub fn numbers(self) -> [u32; LOOKS] {
+    pub fn numbers(self) -> [u32; COLOURED] {
         self.0.map(u32::from)
     }
 
     /// What [`Colours::numbers`] gave; a colour that does not exist is left out.
-    pub fn from_numbers(numbers: [u32; LOOKS]) -> Self {
+    pub fn from_numbers(numbers: [u32; COLOURED]) -> Self {
         let mut colours = Self::default();
         for (look, colour) in numbers.into_iter().enumerate() {
             colours.set(look, colour as usize);

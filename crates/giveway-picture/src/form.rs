@@ -1,10 +1,21 @@
 //! What an agent looks like: a colour, a form of its own, a short name.
 //!
 //! Colour is never alone: twelve colours go with six forms, the second six of
-//! them with a rim. Agent 13 begins again, and its name tells it apart.
+//! them with a rim. From agent 13 on the form is cut below, from 25 on above, from 37 on both;
+//! agent 49 begins again, and its name tells it apart.
 
+/// How many colours there are, each with its form.
+pub const COLOURED: usize = 12;
 /// How many looks there are.
-pub const LOOKS: usize = 12;
+pub const LOOKS: usize = 4 * COLOURED;
+
+/// The cuts through forms of the same colour.
+const CUTS: [Option<&str>; 4] = [
+    None,
+    Some("M-34 16.5H34"),
+    Some("M-34-16.5H34"),
+    Some("M-34 16.5H34M-34-16.5H34"),
+];
 
 /// The six forms around `(0, 0)`, within a radius of 27 units.
 const SHAPES: [Shape; 6] = [
@@ -56,6 +67,9 @@ pub struct Form {
     pub is_padded: bool,
     /// The rim within it, as the `d` of an SVG path.
     pub rim: Option<&'static str>,
+    /// Lines across form and rim in the colour of the floor, as the `d` of an SVG path: 6.5 units
+    /// wide.
+    pub cut: Option<&'static str>,
 }
 
 /// The form of an agent, by its index in the scene.
@@ -64,26 +78,29 @@ pub struct Form {
 /// use giveway_picture::form;
 /// assert_eq!(form::of(0).rim, None);
 /// assert!(form::of(6).rim.is_some());
-/// assert_eq!(form::of(0), form::of(12));
+/// assert_eq!(form::of(0).body, form::of(12).body);
+/// assert_ne!(form::of(0), form::of(12));
+/// assert_eq!(form::of(0), form::of(48));
 /// ```
 pub fn of(agent: usize) -> Form {
-    let look = agent % LOOKS;
+    let look = agent % COLOURED;
     let shape = &SHAPES[look % SHAPES.len()];
     Form {
         body: shape.body,
         is_padded: shape.is_padded,
         rim: (look >= SHAPES.len()).then_some(shape.rim),
+        cut: CUTS[agent / COLOURED % CUTS.len()],
     }
 }
 
 /// The class that sets an agent's colours, by its index in the scene: `ag-1` to
 /// `ag-12`.
 pub fn class(agent: usize) -> &'static str {
-    const CLASSES: [&str; LOOKS] = [
+    const CLASSES: [&str; COLOURED] = [
         "ag-1", "ag-2", "ag-3", "ag-4", "ag-5", "ag-6", "ag-7", "ag-8", "ag-9", "ag-10", "ag-11",
         "ag-12",
     ];
-    CLASSES[agent % LOOKS]
+    CLASSES[agent % COLOURED]
 }
 
 /// A name as it stands on a form, which has room for two letters, or three
@@ -170,14 +187,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn twelve_agents_look_different() {
-        let looks: Vec<_> = (0..LOOKS).map(|agent| (of(agent), class(agent))).collect();
-        for (i, look) in looks.iter().enumerate() {
-            assert!(!looks[..i].contains(look), "agent {i}");
-            let forms = looks[..i].iter().map(|look| look.0);
-            assert!(!forms.collect::<Vec<_>>().contains(&look.0), "form {i}");
+    fn as_many_agents_as_there_are_looks_look_different() {
+        let look = |agent: usize| (of(agent), class(agent));
+        for agent in 0..LOOKS {
+            for other in 0..agent {
+                assert_ne!(look(agent), look(other), "{agent} and {other}");
+            }
         }
-        assert_eq!((of(12), class(12)), looks[0]);
+        assert_eq!(look(LOOKS), look(0));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::fmt;
 use borsh::{BorshDeserialize, BorshSerialize};
 
 use crate::Colours;
-use crate::form::LOOKS;
+use crate::form::COLOURED;
 
 /// Whether a picture is light or dark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
@@ -93,7 +93,7 @@ inks! {
 }
 
 /// The colour of each look, and the one of a name on it: light, then dark.
-const ROBOTS: [[(u32, u32); 2]; LOOKS] = [
+const ROBOTS: [[(u32, u32); 2]; COLOURED] = [
     [(0x00_5a_e6, 0xff_ff_ff), (0x00_a0_fa, 0x0d_10_15)],
     [(0x50_a0_82, 0x0d_10_15), (0x78_fa_aa, 0x0d_10_15)],
     [(0x6e_14_46, 0xff_ff_ff), (0xe6_32_8c, 0x0d_10_15)],

@@ -72,7 +72,7 @@ impl Stage {
             }
             Detail::Forms => {
                 svg.push_str("<g transform=\"scale(1.35)\">");
-                shape(self.looks[agent], fill, on, svg);
+                shape(self.looks[agent], [fill, on, self.inks.floor], svg);
                 svg.push_str("</g>");
             }
             Detail::Plain | Detail::All => {
@@ -148,7 +148,7 @@ impl Stage {
         push(svg, format_args!("<g transform=\"scale({scale})\">"));
         let own = &self.instance.agents()[agent];
         push(svg, format_args!("<title>{}</title>", Escaped(&own.name)));
-        shape(self.looks[agent], fill, on, svg);
+        shape(self.looks[agent], [fill, on, self.inks.floor], svg);
         let short = &self.badges[agent];
         let is_long = form::is_long(short);
         let (y, size) = if is_long { (6.5, 18.0) } else { (8.6, 24.0) };
@@ -261,8 +261,8 @@ impl Stage {
     }
 }
 
-/// The form, with its rim.
-fn shape(look: usize, fill: Ink, on: Ink, svg: &mut String) {
+/// The form, with its rim and its cut in the colour of the floor.
+fn shape(look: usize, [fill, on, floor]: [Ink; 3], svg: &mut String) {
     let form = form::of(look);
     let body = form.body;
     if form.is_padded {
@@ -280,6 +280,14 @@ fn shape(look: usize, fill: Ink, on: Ink, svg: &mut String) {
             svg,
             format_args!(
                 "<path d=\"{rim}\" fill=\"none\" stroke=\"{on}\" stroke-width=\"2.2\" stroke-linejoin=\"round\"/>"
+            ),
+        );
+    }
+    if let Some(cut) = form.cut {
+        push(
+            svg,
+            format_args!(
+                "<path d=\"{cut}\" fill=\"none\" stroke=\"{floor}\" stroke-width=\"6.5\"/>"
             ),
         );
     }
