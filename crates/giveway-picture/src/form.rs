@@ -191,7 +191,7 @@ mod tests {
         let look = |agent: usize| (of(agent), class(agent));
         for agent in 0..LOOKS {
             for other in 0..agent {
-                assert_ne!(look(agent), look(other), "{agent} and {other}");
+                assert_ne!(of(agent), of(other), "{agent} and {other}");
             }
         }
         assert_eq!(look(LOOKS), look(0));
