@@ -156,9 +156,10 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     section(state, tr!("Edit scene"), body)
 }
 
-/// Open while the scene is edited, else a line that opens it.
+/// Open while a scene without a plan is edited, else a line that opens it: nothing moves when
+/// something beside it changes the scene.
 fn section(state: &Shown, title: &'static str, body: Html) -> Html {
-    let is_open = state.phase() == Phase::Editing;
+    let is_open = state.phase() == Phase::Editing && state.document.answer.is_none();
     html! {
         <details class="edit" open={is_open}>
             <summary>{ title }</summary>

@@ -169,6 +169,16 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
     }
 }
 
+/// Brings the list of rules into view, once it is there.
+pub(crate) fn show_rules() {
+    gloo::timers::callback::Timeout::new(0, || {
+        if let Some(list) = gloo::utils::document().get_element_by_id("rules") {
+            list.scroll_into_view();
+        }
+    })
+    .forget();
+}
+
 /// The way back to the plan as a whole.
 fn back(send: &Callback<Action>) -> Html {
     html! {

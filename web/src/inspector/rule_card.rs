@@ -5,8 +5,8 @@ use giveway_model::tr;
 use giveway_page::rules::{
     Card, Count, Judged, Offer, Piece, RuleAction, Ruling, Slot, Stay, Value,
 };
+use giveway_page::timeline::Axis;
 use giveway_page::{Action, BoardAction, Tool};
-use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::back;
@@ -130,20 +130,42 @@ fn fill(send: &Callback<Action>, value: Value) {
     send.emit(Action::Rules(RuleAction::Fill(value)));
 }
 
-/// How many robots are in the zone at each time.
+/// How wide the row of counts is, and a digit in it, in pixels.
+const COUNTS: f64 = 290.0;
+const DIGIT: f64 = 8.0;
+
+/// How many robots are in the zone at each time: a stretch for times of one number, which
+/// stands there where it has room; darker where there are more.
 fn counts(card: &Card) -> Html {
-    let Some(zone) = card.zone.as_ref().filter(|_| card.counts.len() > 1) else {
+    let last = card.counts.iter().map(|count| count.times).sum::<u32>();
+    let Some(zone) = card.zone.as_ref().filter(|_| last > 1) else {
         return Html::default();
     };
-    let last = card.counts.len() - 1;
-    let column = |(time, count): (usize, &Count)| {
+    let axis = Axis::fit(last - 1, COUNTS, 0.0);
+    let most = card.counts.iter().map(|count| count.robots).max();
+    let mut begun = 0;
+    let stretch = |count: &Count| {
         let class = classes!(count.is_in.then_some("in"), count.is_over.then_some("over"));
-        let is_told = time.is_multiple_of(5) || time == last;
-        html! { <li {class}><small>{ if is_told && (time == last || last - time > 1) { time.to_string() } else { String::new() } }</small><b>{ count.robots }</b></li> }
+        let left = f64::from(begun) * axis.column;
+        begun += count.times;
+        let room = f64::from(count.times) * axis.column;
+        let number = count.robots.to_string();
+        let shade = f64::from(count.robots) / f64::from(most.unwrap_or(1).max(1));
+        html! {
+            <g {class}>
+                <rect x={left.to_string()} y="16" width={room.to_string()} height="20" fill-opacity={(0.06 + 0.26 * shade).to_string()} />
+                if room >= number.len() as f64 * DIGIT {
+                    <text x={(left + room / 2.0).to_string()} y="30" text-anchor="middle">{ number }</text>
+                }
+            </g>
+        }
+    };
+    let label = |time: u32| {
+        html! { <text x={axis.x(f64::from(time)).to_string()} y="11" text-anchor="middle">{ time }</text> }
     };
     html! {
         <figure class="counts" aria-hidden="true">
-            <ol>{ for card.counts.iter().enumerate().map(column) }</ol>
+            <svg viewBox={format!("0 0 {} 36", axis.width())}>{ for axis.labels().into_iter().map(label) }{ for card.counts.iter().map(stretch) }</svg>
             <figcaption>{ tr!("Robots in {zone} at each time", zone) }</figcaption>
         </figure>
     }
@@ -154,7 +176,7 @@ fn judged(judged: &Judged) -> Html {
     let (class, icon) = match judged.ruling {
         Ruling::Keeps => ("fine", "check"),
         Ruling::Breaks => ("would", "warning"),
-        Ruling::Fault => ("fault", "warning"),
+        Ruling::Fault | Ruling::Never => ("fault", "warning"),
         Ruling::Open => ("open", "info"),
     };
     html! {
@@ -212,13 +234,7 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let send_it = act(send, || RuleAction::Add);
     let add = Callback::from(move |event: MouseEvent| {
         send_it.emit(event);
-        // The list takes the place of the card: the new rule and what it costs come into view.
-        Timeout::new(0, || {
-            if let Some(list) = gloo::utils::document().get_element_by_id("rules") {
-                list.scroll_into_view();
-            }
-        })
-        .forget();
+        super::show_rules();
     });
     html! {
         <footer class="foot">

@@ -6,13 +6,14 @@ mod planners;
 use giveway_model::tr;
 use giveway_page::intake::Job;
 use giveway_page::lesson::Lesson;
+use giveway_page::rules::RuleAction;
 use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
 use crate::part::part;
 use crate::status::live::LiveProps;
-use crate::{Shown, icon, settings};
+use crate::{Shown, icon, inspector, settings};
 use live::Live;
 
 /// The state, what is open, and where changes of both go.
@@ -55,6 +56,7 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
     html! {
         <section class="status" aria-label={tr!("Status")}>
             if !hides_plan { { sentence(state) } }
+            if state.lesson().is_none() { { own_rules(state, send) } }
             if state.lesson().is_none() {
             <div class="solve" ref={around}>
                 <button class="obj" title={tr!("Objective, rules and limits")}
@@ -88,6 +90,21 @@ pub(crate) fn sentence(state: &State) -> Html {
             </p>
             { part::<Live>(LiveProps { standing }) }
         </>
+    }
+}
+
+/// How many rules of the scene's own are in force: it leads to their list.
+fn own_rules(state: &State, send: &Callback<Action>) -> Html {
+    let Some(rules) = words::standing(state).rules else {
+        return Html::default();
+    };
+    let send = send.clone();
+    let onclick = Callback::from(move |_: MouseEvent| {
+        send.emit(Action::Rules(RuleAction::List));
+        inspector::show_rules();
+    });
+    html! {
+        <button type="button" class="link status-rules" aria-label={tr!("{rules} in force: show them", rules)} {onclick}>{ rules.clone() }</button>
     }
 }
 
@@ -170,7 +187,8 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             tr!("Go on from here (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
         ),
-        Phase::Editing => (
+        // The rule that is being written comes first.
+        Phase::Editing if !state.is_writing_rule() => (
             "primary",
             tr!("Solve (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),

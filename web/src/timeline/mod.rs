@@ -105,7 +105,9 @@ pub fn Dock(props: &DockProps) -> Html {
         };
     }
     // Nothing else is the next step, until it is asked.
-    let asks_why = state.phase() == Phase::None && state.document.mode.asking().is_none();
+    let asks_why = state.phase() == Phase::None
+        && state.document.mode.asking().is_none()
+        && !state.is_writing_rule();
     let (head, text) = match state.phase() {
         Phase::None => (
             tr!("Nothing to play"),

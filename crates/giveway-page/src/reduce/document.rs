@@ -7,7 +7,7 @@ use giveway_model::tr_data;
 use giveway_solve::SolveRequest;
 
 use super::{solve, stroke};
-use crate::edit::{Edit, Sketch};
+use crate::edit::{Edit, RuleEdit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
 use crate::rules::keeps;
@@ -145,7 +145,12 @@ pub(super) fn edit_scene(state: &mut State, edits: &[Edit]) -> Result<(), Notice
         return Ok(());
     }
     if let Some(after) = edited(&state.document, edits)? {
-        state.view.notice = None;
+        let is_meant = |edit: &Edit| {
+            matches!(edit, Edit::Rules(RuleEdit::Remove(_) | RuleEdit::Put(..))) || edit.is_afresh()
+        };
+        let lost = (!edits.iter().any(is_meant))
+            .then(|| super::rules::lost(&state.document.draft, &after.draft));
+        state.view.notice = lost.flatten();
         state.displaced = None;
         put(state, after);
     }

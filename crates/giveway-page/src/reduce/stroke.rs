@@ -89,6 +89,9 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
         Ok(draft) => {
             let mut document = Document::clone(&state.document);
             document.set_draft(draft);
+            if let Some(lost) = rules::lost(&state.document.draft, &document.draft) {
+                state.view.notice = Some(lost);
+            }
             state.displaced = None;
             put(state, document);
             solve_on_change(state);

@@ -19,6 +19,8 @@ pub enum Lit {
 pub enum RuleAction {
     /// Lights a rule or a zone, or nothing.
     Light(Option<Lit>),
+    /// Shows the list of all rules.
+    List,
     /// Opens the row of a rule, or closes it again.
     Open(usize),
     /// Puts a rule in force, or out of it.

@@ -8,8 +8,6 @@ use super::pieces::is_always;
 use super::{Count, Judged, Piece, Slot, Writing, icon, parts, pieces, ranges};
 use crate::State;
 
-/// At most so many times have a number in the row of counts.
-const COUNTED: usize = 41;
 /// At most so many stretches of time are told of a robot.
 const STRETCHES: usize = 6;
 
@@ -36,7 +34,7 @@ pub struct Card {
     pub misread: Option<String>,
     /// What can be written as well.
     pub offers: Vec<Offer>,
-    /// How many robots are in its zone at each time.
+    /// How many robots are in its zone at each time, equal ones on end as one.
     pub counts: Vec<Count>,
     /// Who is in its zone when.
     pub stays: Vec<Stay>,
@@ -119,11 +117,7 @@ pub fn card(state: &State) -> Option<Card> {
         misread: writing.misread.clone(),
         offers: others.map(offer).collect(),
         stays: zone.map_or_else(Vec::new, |zone| stays(state, zone)),
-        counts: if counts.len() > COUNTED {
-            Vec::new()
-        } else {
-            counts
-        },
+        counts,
         judged,
     })
 }

@@ -7,6 +7,7 @@ use giveway_model::constraint::ConstraintKind;
 use giveway_model::words::{and, capital, sentence};
 use giveway_model::{Constraint, Instance, Plan, Scene, sorting::set, tr};
 
+use super::never::never;
 use super::{Writing, zone_of};
 use crate::{Answer, State};
 
@@ -22,6 +23,8 @@ pub enum Ruling {
     Breaks,
     /// The rule cannot be: something of it is wrong.
     Fault,
+    /// No plan can keep it.
+    Never,
     /// There is no plan to judge.
     Open,
 }
@@ -39,9 +42,11 @@ pub struct Judged {
     pub(crate) times: Vec<u32>,
 }
 
-/// How many robots are in the zone at a time.
+/// How many robots are in the zone at some times on end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
+    /// For how many times.
+    pub times: u32,
     /// The number of robots.
     pub robots: u32,
     /// Whether the rule holds then.
@@ -89,6 +94,9 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
             };
         }
     };
+    if let Some(why) = never(state.document.draft.scene(), &writing.rule) {
+        return say(Ruling::Never, tr!("No plan can keep it"), vec![why]);
+    }
     let Some(plan) = state.document.plan() else {
         return say(
             Ruling::Open,
@@ -187,7 +195,7 @@ pub fn ranges(times: &[u32], most: usize) -> String {
     and(&said)
 }
 
-/// How many robots are in a zone at each time of the plan on the board.
+/// How many robots are in a zone at each time of the plan on the board, equal ones as one.
 pub(super) fn counts(state: &State, rule: &Constraint, broken: &[u32]) -> Vec<Count> {
     let Some((plan, zone)) = state.document.plan().zip(zone_of(&rule.kind)) else {
         return Vec::new();
@@ -205,11 +213,19 @@ pub(super) fn counts(state: &State, rule: &Constraint, broken: &[u32]) -> Vec<Co
     let mut kind = rule.kind.clone();
     let times = super::parts(&mut kind).times.map(|times| *times);
     let count = |time: u32| Count {
+        times: 1,
         robots: inside.iter().filter(|times| times.contains(&time)).count() as u32,
         is_in: times.is_none_or(|times| times.contains(time)),
         is_over: broken.contains(&time),
     };
-    (0..=last).map(count).collect()
+    let mut counts: Vec<Count> = Vec::new();
+    for count in (0..=last).map(count) {
+        match counts.last_mut() {
+            Some(run) if (Count { times: 1, ..*run }) == count => run.times += 1,
+            Some(_) | None => counts.push(count),
+        }
+    }
+    counts
 }
 
 /// The times at which a robot is in a zone: at a cell of it, or in transit over an edge with

@@ -4,6 +4,7 @@ mod action;
 mod card;
 mod judge;
 mod list;
+mod never;
 mod offers;
 mod parts;
 mod pieces;

@@ -11,7 +11,7 @@ use giveway_model::{Cell, Constraint, Scene};
 use super::shade::outline;
 use crate::rules::{Lit, zone_of};
 use crate::{Draft, State};
-use tab::{folded, tab, times};
+use tab::{Spot, folded, tab, times};
 use tags::place;
 
 /// How far an outline stays inside of its cells, and that of a zone around others, in units.
@@ -113,7 +113,7 @@ pub(super) fn signs(state: &State) -> [bool; 4] {
 pub fn rule_shapes(draft: &Draft, holds: &[bool], lit: Option<&Lit>) -> RuleShapes {
     let scene = draft.scene();
     let mut shapes = RuleShapes::default();
-    let mut taken: Vec<(f64, f64)> = Vec::new();
+    let mut taken: Vec<Spot> = Vec::new();
     for zone in &scene.zones {
         let cells = zone.cell_set();
         let is_around = scene.zones.iter().any(|other| {
@@ -127,12 +127,12 @@ pub fn rule_shapes(draft: &Draft, holds: &[bool], lit: Option<&Lit>) -> RuleShap
             let is_it = matches!(rule.kind, ConstraintKind::Closed { .. });
             is_it && holds.get(index).copied().unwrap_or(false)
         });
-        let tab = tab(draft, &cells, &taken);
+        let tab = tab(draft, zone, &cells, &taken);
         taken.push(tab);
         shapes.zones.push(ZoneShape {
             name: zone.name.clone(),
             path: outline(&cells, if is_around { AROUND } else { INSET }),
-            tab,
+            tab: tab.at,
             signs: folded(rules().map(|(_, rule)| rule)),
             times: rules().find_map(|(_, rule)| times(rule)),
             is_closed,

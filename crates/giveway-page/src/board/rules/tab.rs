@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use giveway_model::constraint::{ConstraintKind, meant};
-use giveway_model::{Cell, Constraint, Ground};
+use giveway_model::{Agent, Cell, Constraint, Ground, Zone};
 
 use super::SignKind;
 use crate::Draft;
@@ -54,36 +54,82 @@ pub(super) fn times(rule: &Constraint) -> Option<String> {
     }
 }
 
+/// Where the tab of a zone begins, and how wide it is, in units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub(super) at: (f64, f64),
+    wide: f64,
+}
+
+impl Spot {
+    /// Whether two tabs would lie on each other.
+    fn meets(&self, other: &Self) -> bool {
+        let [(x, y), (a, b)] = [self.at, other.at];
+        (y - b).abs() < TALL && x < a + other.wide && a < x + self.wide
+    }
+
+    /// Whether the tab would lie on what a cell says of a start, a goal or a waypoint.
+    fn covers(&self, cell: Cell) -> bool {
+        let (x, y) = (f64::from(cell.x) * 100.0, f64::from(cell.y) * 100.0);
+        let (left, top) = (self.at.0 - SIGN, self.at.1 - TALL / 2.0);
+        left < x + 100.0 && x < left + self.wide && top < y + 100.0 && y < top + TALL
+    }
+}
+
+/// How tall a tab is, how far its first sign reaches to the left, and how wide a letter is.
+const TALL: f64 = 40.0;
+const SIGN: f64 = 20.0;
+const LETTER: f64 = 12.5;
+/// At most so many cells of a zone are looked at for a place.
+const LOOKED_AT: usize = 400;
+
 /// Where the tab of a zone begins: on an obstacle that touches it or is part of it, where no
-/// robot covers it; else on its upper edge, or on its lower one.
-pub(super) fn tab(draft: &Draft, cells: &BTreeSet<Cell>, taken: &[(f64, f64)]) -> (f64, f64) {
+/// robot covers it; else on its upper edge, or on its lower one. A place that is free of other
+/// tabs and of names of starts and goals comes first.
+pub(super) fn tab(draft: &Draft, zone: &Zone, cells: &BTreeSet<Cell>, taken: &[Spot]) -> Spot {
     let grid = draft.grid();
     let is_obstacle = |cell: Cell| grid.ground(cell) == Some(Ground::Obstacle);
-    let at =
-        |x: u32, y: u32, by: (f64, f64)| (f64::from(x) * 100.0 + by.0, f64::from(y) * 100.0 + by.1);
+    let wide = zone.name.chars().count() as f64 * LETTER + 2.0 * TALL + SIGN;
+    let at = |x: u32, y: u32, by: (f64, f64)| Spot {
+        at: (f64::from(x) * 100.0 + by.0, f64::from(y) * 100.0 + by.1),
+        wide,
+    };
     let mut by_row: Vec<Cell> = cells.iter().copied().collect();
     by_row.sort_by_key(|cell| (cell.y, cell.x));
+    by_row.truncate(LOOKED_AT);
     let inside = by_row.iter().filter(|&&cell| is_obstacle(cell));
     let beside = by_row.iter().filter(|cell| {
         let right = Cell::new(cell.x + 1, cell.y);
         !cells.contains(&right) && is_obstacle(right)
     });
-    let upper = by_row.first().filter(|cell| cell.y > 0);
+    let upper = by_row
+        .iter()
+        .filter(|cell| cell.y > 0 && !cells.contains(&Cell::new(cell.x, cell.y.saturating_sub(1))));
+    let lower = by_row
+        .iter()
+        .rev()
+        .filter(|cell| !cells.contains(&Cell::new(cell.x, cell.y + 1)));
     let places = inside
         .map(|cell| at(cell.x, cell.y, (22.0, 32.0)))
         .chain(beside.map(|cell| at(cell.x + 1, cell.y, (3.0, 28.0))))
         .chain(upper.map(|cell| at(cell.x, cell.y, (22.0, -20.0))))
-        .chain(
-            by_row
-                .last()
-                .map(|cell| at(cell.x, cell.y + 1, (22.0, -5.0))),
-        );
-    let is_free = |place: &(f64, f64)| {
-        taken
-            .iter()
-            .all(|other| (other.0 - place.0).abs() > 180.0 || (other.1 - place.1).abs() > 40.0)
+        .chain(lower.map(|cell| at(cell.x, cell.y + 1, (22.0, -5.0))));
+    let places: Vec<Spot> = places.collect();
+    let agents = &draft.scene().agents;
+    let named = |agent: &Agent| {
+        let ends = [Some(agent.start), agent.goal];
+        let ends = ends.into_iter().flatten();
+        ends.chain(agent.waypoints.iter().copied()).collect()
     };
-    let places: Vec<(f64, f64)> = places.collect();
-    let free = places.iter().copied().find(is_free);
-    free.or(places.first().copied()).unwrap_or((0.0, 0.0))
+    let named: Vec<Cell> = agents
+        .iter()
+        .flat_map(|agent| -> Vec<Cell> { named(agent) })
+        .collect();
+    let is_free = |spot: &&Spot| !taken.iter().any(|other| spot.meets(other));
+    let is_bare = |spot: &&Spot| !named.iter().any(|&cell| spot.covers(cell));
+    let best = places.iter().find(|spot| is_free(spot) && is_bare(spot));
+    let best = best
+        .or_else(|| places.iter().find(is_free))
+        .or(places.first());
+    best.copied().unwrap_or_else(|| at(0, 0, (0.0, 0.0)))
 }

@@ -5,7 +5,7 @@ mod bounds;
 mod resting;
 
 use giveway_model::words::capital;
-use giveway_model::{AtGoal, Constraint, Rules, assumption, constraint, tr};
+use giveway_model::{AtGoal, Constraint, Rules, assumption, tr};
 
 use crate::certificate;
 use crate::words::{change, question, steering};
@@ -38,6 +38,8 @@ pub struct Standing {
     /// The sentence beside the badge, which says its first word already; `None` where
     /// it is the same.
     pub beside: Option<String>,
+    /// How many rules of the scene's own are in force: `5 rules`.
+    pub rules: Option<String>,
 }
 
 impl Standing {
@@ -46,6 +48,7 @@ impl Standing {
             badge,
             sentence,
             beside: None,
+            rules: None,
         }
     }
 
@@ -111,11 +114,7 @@ pub fn standing(state: &State) -> Standing {
             let scene = state.document.draft.scene();
             let rules = state.document.answer.as_ref().map(|_| rules(scene.rules));
             let rules = rules.into_iter().flatten();
-            let own = own_rules(&scene.constraints);
-            for said in rules
-                .chain(assumption::sentences(&scene.assumptions))
-                .chain(own)
-            {
+            for said in rules.chain(assumption::sentences(&scene.assumptions)) {
                 standing.sentence += " ";
                 standing.sentence += &said;
             }
@@ -128,18 +127,18 @@ pub fn standing(state: &State) -> Standing {
                 .asking()
                 .and_then(|asking| ask::other_causes(asking));
             standing.sentence += causes.as_deref().unwrap_or_default();
+            // The number is a button of its own beside the sentence.
+            standing.rules = own_rules(&scene.constraints);
             standing
         }
     }
 }
 
-/// The scene's own rules that are in force: one in words, more by their number, as the
-/// inspector lists them.
+/// How many rules of the scene's own are in force; the inspector lists them.
 fn own_rules(rules: &[Constraint]) -> Option<String> {
     match rules.iter().filter(|rule| !rule.off).count() {
-        0 | 1 => constraint::sentences(rules),
-        more => Some(tr!("{n} rule of the scene's own is in force."
-            | "{n} rules of the scene's own are in force." % more)),
+        0 => None,
+        some => Some(tr!("{n} rule" | "{n} rules" % some)),
     }
 }
 
