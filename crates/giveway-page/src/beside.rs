@@ -254,6 +254,11 @@ pub fn title(state: &State) -> String {
 /// The title of the plan beside it.
 pub fn other_title(state: &State) -> String {
     let beside = state.beside();
+    if let Some(without) = state.plan_without()
+        && beside.is_some_and(|it| Rc::ptr_eq(it, &without.answer))
+    {
+        return tr!("Without the rule").to_owned();
+    }
     let audit = state.document.mode.audit();
     let mut plans = audit.into_iter().flat_map(|audit| audit.plans.iter());
     let is_it = |plan: &&Rc<Dropped>| beside.is_some_and(|it| Rc::ptr_eq(it, &plan.answer));

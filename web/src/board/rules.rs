@@ -4,7 +4,9 @@
 use std::rc::Rc;
 
 use giveway_page::Draft;
-use giveway_page::board::{LaneShape, SignKind, TagShape, ZoneShape, now, rule_shapes};
+use giveway_page::board::{
+    LaneShape, RulesNow, SignKind, TagShape, ZoneShape, rule_shapes, rules_now,
+};
 use giveway_page::rules::Lit;
 use yew::prelude::*;
 
@@ -15,7 +17,7 @@ use crate::part::part;
 #[derive(Clone, Properties)]
 struct RulesProps {
     draft: Rc<Draft>,
-    holds: Vec<bool>,
+    now: RulesNow,
     lit: Option<Lit>,
     layer: Layer,
 }
@@ -23,7 +25,7 @@ struct RulesProps {
 impl PartialEq for RulesProps {
     fn eq(&self, other: &Self) -> bool {
         Rc::ptr_eq(&self.draft, &other.draft)
-            && self.holds == other.holds
+            && self.now == other.now
             && self.lit == other.lit
             && self.layer == other.layer
     }
@@ -47,7 +49,7 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
         return Html::default();
     }
     let props = RulesProps {
-        holds: now(scene, state.view.playback.time),
+        now: rules_now(state),
         draft: Rc::clone(draft),
         lit: state.lit_rule().cloned(),
         layer,
@@ -58,7 +60,7 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
 /// The shapes of one layer.
 #[component]
 fn Rules(props: &RulesProps) -> Html {
-    let shapes = rule_shapes(&props.draft, &props.holds, props.lit.as_ref());
+    let shapes = rule_shapes(&props.draft, &props.now, props.lit.as_ref());
     match props.layer {
         Layer::Floor => html! {
             <g class="rules-on" aria-hidden="true">
@@ -80,7 +82,8 @@ fn class(zone: &ZoneShape) -> Classes {
     classes!(
         "zone",
         zone.is_lit.then_some("lit"),
-        zone.is_closed.then_some("force")
+        zone.is_closed.then_some("force"),
+        zone.is_broken.then_some("broken")
     )
 }
 
@@ -105,7 +108,7 @@ fn lane(lane: &LaneShape) -> Html {
             </g>
         }
     };
-    html! { <g class={classes!("one-way", lane.is_lit.then_some("lit"))}>{ for lane.borders.iter().map(chevron) }</g> }
+    html! { <g class={classes!("one-way", lane.is_lit.then_some("lit"), lane.is_broken.then_some("broken"))}>{ for lane.borders.iter().map(chevron) }</g> }
 }
 
 /// How far apart the signs of a tab stand, and how wide a letter is, in units.
@@ -174,7 +177,7 @@ fn tag(tag: &TagShape) -> Html {
         _ => None,
     };
     html! {
-        <g class={classes!("rule-tag-on", tag.class)} transform={format!("translate({x} {y})")}><g class="in">
+        <g class={classes!("rule-tag-on", tag.class.split(' ').map(str::to_owned).collect::<Vec<_>>())} transform={format!("translate({x} {y})")}><g class="in">
             <rect x={left.to_string()} y="-14" width={width.to_string()} height="28" rx="6" />
             <text y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
             if let Some(bar) = bar { <path d={format!("M{bar} -15V15")} /> }

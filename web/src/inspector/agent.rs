@@ -2,6 +2,7 @@
 
 use giveway_model::tr;
 use giveway_page::inspect::{AgentFacts, BatteryFacts};
+use giveway_page::rules::{self, Lit, RuleAction};
 use giveway_page::timeline::{Lane, Way};
 use giveway_page::{Action, PlayAction, State};
 use yew::prelude::*;
@@ -16,7 +17,7 @@ pub(super) fn show(state: &State, facts: &AgentFacts, send: &Callback<Action>) -
             <header class="ih">
                 { back(send) }
                 { glyph::named(state, facts.agent) }
-                <div><h2><bdi>{ facts.name.clone() }</bdi></h2><p class="doing">{ facts.doing.clone() }</p></div>
+                <div><h2><bdi>{ facts.name.clone() }</bdi></h2><p class="doing">{ facts.doing.clone() }{ waits_for(state, facts.agent, send) }</p></div>
             </header>
             <dl class="facts">
                 if let Some(battery) = facts.battery {
@@ -31,6 +32,27 @@ pub(super) fn show(state: &State, facts: &AgentFacts, send: &Callback<Action>) -
             </dl>
         </>
     }
+}
+
+/// The rules for which it waits, behind what it does: pressing one shows it.
+fn waits_for(state: &State, agent: usize, send: &Callback<Action>) -> Html {
+    if state.view.playback.playing {
+        return Html::default();
+    }
+    let rules = rules::waits_for(state, agent, state.view.playback.time);
+    if rules.is_empty() {
+        return Html::default();
+    }
+    let rule = |(place, (index, text)): (usize, &(usize, String))| {
+        let (index, before) = (*index, if place == 0 { "" } else { ", " });
+        let light =
+            move |on: bool| Action::Rules(RuleAction::Light(on.then_some(Lit::Rule(index))));
+        html! {
+            <>{ before }<button type="button" class="zone-name" onmouseenter={send.reform(move |_| light(true))} onfocus={send.reform(move |_| light(true))}
+                onmouseleave={send.reform(move |_| light(false))} onclick={send.reform(move |_| Action::Rules(RuleAction::Show(index)))}>{ text.clone() }</button></>
+        }
+    };
+    html! { <>{ tr!("behind a wait, before the rule that causes it" => " for ") }{ for rules.iter().enumerate().map(rule) }</> }
 }
 
 fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {

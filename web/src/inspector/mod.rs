@@ -97,6 +97,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                     { steer::begin(state, send) }
                     { change::begin(state, send) }
                     { questions::show(&ask::offers(state), send) }
+                    { rules::question(state, send) }
                     if let Some(why) = ask::no_offers(state) {
                         <p class="remark">{ why }</p>
                     }

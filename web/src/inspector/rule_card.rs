@@ -22,6 +22,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             { head(card, send) }
             <section class="writing" role="group" aria-labelledby="rule-title">
                 <p class="writing-title" id="rule-title">{ icon::show(card.icon) }{ match &card.zone {
+                    _ if card.asks => tr!("Why not a plan in which \u{2026}?").to_owned(),
                     Some(zone) => tr!("A rule for {zone}", zone),
                     None => tr!("A rule").to_owned(),
                 } }</p>
@@ -36,7 +37,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     <ul class="asks">{ for card.offers.iter().map(|of| offer(of, send)) }</ul>
                 </section>
             }
-            if card.zone.is_none() && !card.is_edited {
+            if card.zone.is_none() && !card.is_edited && !card.asks {
                 <section>
                     <h3>{ tr!("Or mark a place on the board") }</h3>
                     <ul class="asks">{ marking(Tool::Zone, tr!("A limit, a closure: mark a zone"), send) }{ marking(Tool::OneWay, tr!("One direction: lead a lane"), send) }</ul>
@@ -54,7 +55,9 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
 }
 
 fn head(card: &Card, send: &Callback<Action>) -> Html {
-    let title = if card.is_edited {
+    let title = if card.asks {
+        tr!("Why not a plan in which \u{2026}?")
+    } else if card.is_edited {
         tr!("Edit the rule")
     } else {
         tr!("A new rule")
@@ -236,6 +239,15 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
         send_it.emit(event);
         super::show_rules();
     });
+    if card.asks {
+        return html! {
+            <footer class="foot">
+                <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={act(send, || RuleAction::Ask)}>{ icon::show("question") }<span>{ tr!("Ask") }</span></button>
+                <button type="button" class="btn outline" disabled={card.judged.ruling == Ruling::Fault} onclick={add}>{ tr!("Make it a rule") }</button>
+                <button type="button" class="btn ghost" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
+            </footer>
+        };
+    }
     html! {
         <footer class="foot">
             <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>

@@ -13,7 +13,12 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
         return Html::default();
     };
     let of_problem = |rule: &ProblemRule| {
-        html! { <li>{ icon::show(rule.icon) }<span>{ rule.sentence.clone() }</span></li> }
+        let change = rule.change.clone().map(|edit| {
+            let onclick = send.reform(move |_: MouseEvent| Action::Edit(edit.clone()));
+            let label = tr!("{rule}: change", rule = rule.sentence);
+            html! { <button type="button" class="link" aria-label={label} {onclick}>{ tr!("Change") }</button> }
+        });
+        html! { <li>{ icon::show(rule.icon) }<span>{ rule.sentence.clone() }</span>{ for change }</li> }
     };
     let begin = act(send, || RuleAction::Begin);
     let own = |zone: &(String, bool)| zone_button(&zone.0, zone.1, send);
@@ -132,9 +137,39 @@ fn open(row: &Row, send: &Callback<Action>) -> Html {
     html! {
         <div class="rule-more">
             if let Some(without) = without { <p>{ without }</p> }
-            <button type="button" class="btn outline" onclick={act(send, move || RuleAction::Edit(index))}>{ icon::show("edit") }{ tr!("Edit") }</button>
-            <button type="button" class="btn outline" onclick={act(send, move || RuleAction::Remove(index))}>{ icon::show("erase") }{ tr!("Remove") }</button>
+            if row.price.as_ref().is_some_and(|price| price.has_plan) {
+                { button("compare", tr!("Show that plan beside"), Some(row.is_beside), {
+                    let beside = row.is_beside;
+                    act(send, move || RuleAction::Without((!beside).then_some(index)))
+                }) }
+            }
+            { button("edit", tr!("Edit"), None, act(send, move || RuleAction::Edit(index))) }
+            if row.can_loosen { { button("plus", tr!("Loosen"), None, act(send, move || RuleAction::Loosen(index))) } }
+            if !row.is_on { { button("question", tr!("What would it cost?"), None, act(send, move || RuleAction::AskAbout(index))) } }
+            { button("erase", tr!("Remove"), None, act(send, move || RuleAction::Remove(index))) }
         </div>
+    }
+}
+
+fn button(
+    icon: &'static str,
+    words: &'static str,
+    is_on: Option<bool>,
+    onclick: Callback<MouseEvent>,
+) -> Html {
+    let pressed = is_on.map(|is_on| is_on.to_string());
+    html! { <button type="button" class="btn outline" aria-pressed={pressed} {onclick}>{ icon::show(icon) }{ words }</button> }
+}
+
+/// The entry `Why not a plan in which ...?`, below the questions about a plan.
+pub(super) fn question(state: &State, send: &Callback<Action>) -> Html {
+    if list(state).is_none() || state.document.plan().is_none() {
+        return Html::default();
+    }
+    html! {
+        <ul class="asks"><li><button type="button" class="ask" onclick={act(send, || RuleAction::Question)}>
+            { icon::show("question") }<span>{ tr!("Why not a plan in which \u{2026}?") }</span>{ icon::at_end("chevron") }
+        </button></li></ul>
     }
 }
 

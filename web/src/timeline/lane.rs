@@ -39,6 +39,8 @@ pub(super) struct LaneRowProps {
     pub selected: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
+    /// When the agent is in the zone that is lit.
+    pub in_zone: Vec<(u32, u32)>,
     /// The times at which something is against the rules.
     pub bursts: Vec<f64>,
     /// Takes the index of the lane that was picked.
@@ -93,6 +95,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     }
                 </span>
             </button>
+            if !props.in_zone.is_empty() { { in_zone(props) } }
             if !props.bursts.is_empty() { { bursts(props) } }
             if let Some(end) = note.and_then(|note| note.stop.as_ref()) { { stop(props, end) } }
             if let Some(other) = other {
@@ -105,6 +108,22 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                     axis={props.axis} row={props.row} columns={props.columns.clone()} />
             }
         </div>
+    }
+}
+
+/// A line over the lane while the agent is in the zone that is lit.
+fn in_zone(props: &LaneRowProps) -> Html {
+    let column = props.axis.column;
+    let one = |&(from, to): &(u32, u32)| {
+        format!(
+            "M{} 2H{}",
+            f64::from(from) * column,
+            f64::from(to + 1) * column
+        )
+    };
+    let d: String = props.in_zone.iter().map(one).collect();
+    html! {
+        <svg class="bars in-zone" width={props.axis.width().to_string()} height="4" aria-hidden="true"><path {d} /></svg>
     }
 }
 

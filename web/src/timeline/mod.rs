@@ -9,6 +9,7 @@ mod plan;
 mod plan_table;
 mod rest;
 mod ruler;
+mod rules;
 mod same;
 mod seen;
 mod selected;

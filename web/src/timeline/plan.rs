@@ -18,6 +18,7 @@ use super::lane::LaneRow;
 use super::plan_table::PlanTable;
 use super::rest;
 use super::ruler::Ruler;
+use super::rules;
 use super::same::Same;
 use super::seen::{Extent, Seen, use_seen};
 use super::selected::{lane_of, selected_lane, selection, use_selected_in_view};
@@ -175,6 +176,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let lane_row = |index: usize| {
         html! {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
+                in_zone={lanes.get(index).map(|lane| giveway_page::rules::in_lit_zone(state, &lane.name)).unwrap_or_default()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
                 fate={lanes.get(index).and_then(|lane| fate(&lane.name))} selected={selected == Some(index)}
@@ -195,6 +197,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
                     { part::<Ruler>(RulerProps { axis, columns: seen.columns.clone(), time, thumb: moved.thumb.clone(), send: send.clone() }) }
+                    { rules::show(state, axis, send) }
                     <div role="group" aria-label={tr!("Lanes")} {onkeydown}>
                         { spacer(above) }
                         { for seen.lanes.clone().map(lane_row) }

@@ -31,7 +31,9 @@ pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub(crate) use place::place_of;
 pub use reasons::{Later, Place, Reasons, Spot, Try, lit, reasons};
-pub use rules::{LaneShape, RuleShapes, SignKind, TagShape, ZoneShape, now, rule_shapes};
+pub use rules::{
+    LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, rule_shapes, rules_now,
+};
 pub(crate) use shade::shade;
 pub(crate) use star::middle;
 pub use star::{ConflictPlace, Star};

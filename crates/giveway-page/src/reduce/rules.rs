@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::words::Sentence;
-use giveway_model::{Constraint, tr_data};
+use giveway_model::{Constraint, Question, tr_data};
 use giveway_solve::price::PriceAnswer;
 
 use super::{ask, document, solve};
@@ -15,12 +15,15 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
     let writing = state.view.rules.writing.clone();
     match action {
         RuleAction::Light(lit) => state.view.rules.lit = lit,
-        RuleAction::List => {
-            ask::close(state);
-            state.view.rules.writing = None;
-            state.view.selection = Selection::Nothing;
-            state.view.tab = Tab::Inspector;
+        RuleAction::List => list(state),
+        RuleAction::Show(index) => {
+            if state.can_write_rules() {
+                list(state);
+                state.view.rules.open = Some(index);
+            }
+            state.view.rules.lit = Some(Lit::Rule(index));
         }
+        RuleAction::AllTimes(all) => state.view.rules.shows_all_times = all,
         RuleAction::Open(index) => {
             let open = &mut state.view.rules.open;
             *open = (*open != Some(index)).then_some(index);
@@ -40,6 +43,41 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
             let rule = state.document.draft.scene().constraints.get(index);
             let writing = rule.map(|rule| Writing::of(rule, index));
             begin(state, writing);
+        }
+        RuleAction::Loosen(index) => {
+            let rule = state.document.draft.scene().constraints.get(index);
+            let writing = rule.map(|rule| Writing {
+                open: crate::rules::loosened(rule),
+                ..Writing::of(rule, index)
+            });
+            begin(state, writing);
+        }
+        RuleAction::Question => {
+            let mut offers = crate::rules::every(state);
+            offers.retain(|rule| !rule.is_penalty());
+            let writing = Writing::first(offers);
+            begin(
+                state,
+                writing.map(|writing| Writing {
+                    asks: true,
+                    ..writing
+                }),
+            );
+        }
+        RuleAction::Ask => {
+            if let Some(writing) = writing {
+                ask_why(state, writing.rule.clone());
+            }
+        }
+        RuleAction::AskAbout(index) => {
+            let rule = state.document.draft.scene().constraints.get(index).cloned();
+            if let Some(rule) = rule {
+                ask_why(state, rule);
+            }
+        }
+        RuleAction::Without(rule) => {
+            let without = rule.and_then(|rule| crate::rules::without(state, rule));
+            state.view.rules.without = without;
         }
         RuleAction::Write(rule) => change(state, |writing| writing.write(rule)),
         RuleAction::OpenSlot(slot) => change(state, |writing| {
@@ -74,6 +112,14 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
     }
 }
 
+/// Shows the list of all rules.
+fn list(state: &mut State) {
+    ask::close(state);
+    state.view.rules.writing = None;
+    state.view.selection = Selection::Nothing;
+    state.view.tab = Tab::Inspector;
+}
+
 fn edit(state: &mut State, edit: RuleEdit) {
     document::edit(state, Edit::Rules(edit));
 }
@@ -94,6 +140,15 @@ fn begin(state: &mut State, writing: Option<Writing>) {
         state.view.tab = Tab::Inspector;
     }
     state.view.rules.writing = writing.map(Rc::new);
+}
+
+/// Asks why a rule is not kept, as it were in force.
+fn ask_why(state: &mut State, rule: Constraint) {
+    let rule = Box::new(Constraint { off: false, ..rule });
+    ask::ask(state, &Question::Rule { rule });
+    if state.document.mode.asking().is_some() {
+        state.view.rules.writing = None;
+    }
 }
 
 fn not_here() -> Sentence {
@@ -264,5 +319,7 @@ pub(super) fn settle(state: &mut State) {
         Lit::Rule(index) => *index < scene.constraints.len(),
         Lit::Zone(name) => has_zone(name),
     });
+    let of_rules = view.without.take();
+    view.without = of_rules.filter(|without| without.rule < scene.constraints.len());
     view.open = view.open.filter(|&index| index < scene.constraints.len());
 }

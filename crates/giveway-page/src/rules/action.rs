@@ -21,6 +21,10 @@ pub enum RuleAction {
     Light(Option<Lit>),
     /// Shows the list of all rules.
     List,
+    /// Shows a rule in the list, open.
+    Show(usize),
+    /// Shows the times of all rules in the timeline, or of the first lines.
+    AllTimes(bool),
     /// Opens the row of a rule, or closes it again.
     Open(usize),
     /// Puts a rule in force, or out of it.
@@ -33,6 +37,17 @@ pub enum RuleAction {
     OfZone(String),
     /// Begins to edit a rule.
     Edit(usize),
+    /// Begins to edit the number of a rule, or its times where it has none: so that it asks for
+    /// less.
+    Loosen(usize),
+    /// Begins a question: why a rule is not kept.
+    Question,
+    /// Asks why the rule that is being written is not kept.
+    Ask,
+    /// Asks what a rule would cost that is not in force.
+    AskAbout(usize),
+    /// Shows the best plan without a rule beside the plan, or nothing.
+    Without(Option<usize>),
     /// Writes another rule in the place of the one that is being written.
     Write(Constraint),
     /// Opens a slot of the sentence, or closes it.

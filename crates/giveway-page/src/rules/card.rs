@@ -20,6 +20,8 @@ pub struct Card {
     pub place: String,
     /// Whether it takes the place of a rule of the scene.
     pub is_edited: bool,
+    /// Whether it is asked why it is not so.
+    pub asks: bool,
     /// The icon of its kind.
     pub icon: &'static str,
     /// Its sentence.
@@ -108,6 +110,7 @@ pub fn card(state: &State) -> Option<Card> {
         zone: zone.map(str::to_owned),
         place: cells.map_or_else(String::new, place),
         is_edited: writing.index.is_some(),
+        asks: writing.asks,
         icon: icon(&writing.rule),
         pieces: pieces(&writing.rule, true),
         sentence: writing.rule.sentence(),

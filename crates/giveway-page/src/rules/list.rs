@@ -26,16 +26,22 @@ pub struct List {
 }
 
 /// A rule of the problem.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ProblemRule {
     /// The name of its icon.
     pub icon: &'static str,
     /// Its sentence.
     pub sentence: String,
+    /// What changes it, where the page has a choice.
+    pub change: Option<crate::Edit>,
 }
 
 /// A rule of the scene's own.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is of its own: a row shows them in different places"
+)]
 pub struct Row {
     /// Its index in the scene.
     pub index: usize,
@@ -53,6 +59,10 @@ pub struct Row {
     pub is_lit: bool,
     /// Whether its row is open.
     pub is_open: bool,
+    /// Whether it has a number or times, of which it can ask for less.
+    pub can_loosen: bool,
+    /// Whether the best plan without it is shown beside the plan.
+    pub is_beside: bool,
     /// Its price, where somebody asked.
     pub price: Option<Tag>,
 }
@@ -79,6 +89,10 @@ pub fn list(state: &State) -> Option<List> {
                 None => false,
             },
             is_open: state.view.rules.open == Some(index),
+            can_loosen: super::loosened(rule).is_some(),
+            is_beside: state
+                .plan_without()
+                .is_some_and(|without| without.rule == index),
             price: tag(state, index, rule.off),
         }
     };
@@ -124,15 +138,23 @@ pub fn list(state: &State) -> Option<List> {
 
 /// The rules of the problem, as far as the scene has what they are about.
 fn of_problem(scene: &Scene, state: &State) -> Vec<ProblemRule> {
-    let rule = |icon, sentence: String| ProblemRule { icon, sentence };
+    let rule = |icon, sentence: String| ProblemRule {
+        icon,
+        sentence,
+        change: None,
+    };
+    let at_goal = |text: &str, other| ProblemRule {
+        change: Some(crate::Edit::AtGoal(other)),
+        ..rule("goal", text.to_owned())
+    };
     let mut rules = vec![
         rule(
             "collision",
             tr!("Robots never share a cell or swap places").to_owned(),
         ),
         match scene.rules.at_goal {
-            AtGoal::Stay => rule("goal", tr!("Robots stay at their goals").to_owned()),
-            AtGoal::Vanish => rule("goal", tr!("Robots vanish at their goals").to_owned()),
+            AtGoal::Stay => at_goal(tr!("Robots stay at their goals"), AtGoal::Vanish),
+            AtGoal::Vanish => at_goal(tr!("Robots vanish at their goals"), AtGoal::Stay),
         },
     ];
     let grid = state.document.draft.grid();

@@ -9,6 +9,8 @@ mod offers;
 mod parts;
 mod pieces;
 mod price;
+mod times;
+mod waits;
 mod writing;
 
 use std::rc::Rc;
@@ -22,11 +24,14 @@ pub use card::{Card, Editor, Offer, Stay, card};
 pub(crate) use judge::keeps;
 pub use judge::{Count, Judged, Ruling, ranges};
 pub use list::{List, ProblemRule, Row, list};
-pub(crate) use offers::{of_zone, offered};
+pub(crate) use offers::{every, of_zone, offered};
 pub(crate) use parts::parts;
 pub use pieces::{Piece, Slot, pieces};
 pub use price::Tag;
-pub(crate) use price::{Pricing, request};
+pub(crate) use price::{Pricing, Without, request, without};
+pub(crate) use times::broken;
+pub use times::{Stretch, TimesRow, in_lit_zone, times_row};
+pub use waits::waits_for;
 pub(crate) use writing::Writing;
 
 /// What is shown of the rules, and written of one.
@@ -40,6 +45,10 @@ pub struct RulesView {
     pub(crate) zone: Option<String>,
     /// The rule that is being written.
     pub(crate) writing: Option<Rc<Writing>>,
+    /// The best plan without a rule, beside the plan on the board.
+    pub(crate) without: Option<Without>,
+    /// Whether the timeline shows the times of all rules.
+    pub(crate) shows_all_times: bool,
     /// What the rules of a scene cost; it may be of an older scene.
     pub(crate) prices: Option<Rc<Pricing>>,
 }
@@ -92,4 +101,14 @@ pub(crate) fn fresh_zone(scene: &Scene) -> String {
     let mut names = (1..=scene.zones.len() + 1)
         .map(|number| giveway_model::tr!("the name of a zone" => "zone {number}", number));
     names.find(is_free).unwrap_or_default()
+}
+
+/// The slot of a rule in which it can ask for less: its number, else its times.
+pub(crate) fn loosened(rule: &Constraint) -> Option<Slot> {
+    let mut kind = rule.kind.clone();
+    let parts = parts(&mut kind);
+    if let Some(last) = parts.numbers.len().checked_sub(1) {
+        return Some(Slot::Number(last));
+    }
+    parts.times.is_some().then_some(Slot::When)
 }

@@ -3,6 +3,7 @@
 use giveway_model::condition::{Times, Visit};
 use giveway_model::{Cell, Constraint, constraint::ConstraintKind};
 
+use super::Lit;
 use crate::{Selection, State};
 
 /// A rule for all robots.
@@ -45,6 +46,35 @@ pub(crate) fn offered(state: &State) -> Vec<Constraint> {
         Selection::Cell(cell) => of_cell(state, cell),
         Selection::Nothing => without_place(),
     }
+}
+
+/// Rules of all kinds for a question: of what is selected or lit first, then of the first zone
+/// and the first robot.
+pub(crate) fn every(state: &State) -> Vec<Constraint> {
+    let zones = &state.document.draft.scene().zones;
+    let lit = match state.lit_rule() {
+        Some(Lit::Zone(name)) => zones.iter().find(|zone| zone.name == *name),
+        Some(Lit::Rule(_)) | None => None,
+    };
+    let of_zone = lit.or(zones.first()).map(|zone| of_zone(&zone.name));
+    let of_zone = of_zone.into_iter().flatten();
+    let mut rules: Vec<Constraint> = match state.view.selection {
+        Selection::Nothing => of_zone.collect(),
+        Selection::Agent(_) | Selection::Cell(_) => {
+            offered(state).into_iter().chain(of_zone).collect()
+        }
+    };
+    rules.extend(of_agent(state, 0));
+    rules.extend(without_place());
+    let mut kinds: Vec<&str> = Vec::new();
+    let mut kept = Vec::new();
+    for rule in &rules {
+        if !kinds.contains(&rule.kind_name()) {
+            kinds.push(rule.kind_name());
+            kept.push(rule.clone());
+        }
+    }
+    kept
 }
 
 /// The rules that are about no place and no single robot.

@@ -1,12 +1,14 @@
 //! What each rule costs, while it is asked for and afterwards.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_model::check::check;
 use giveway_model::tr;
-use giveway_solve::Limits;
 use giveway_solve::price::{Price, PriceAnswer, PriceRequest, RulePrice, words};
+use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
-use crate::{Draft, State, Task};
+use crate::{Answer, Draft, State, Task};
 
 /// What the rules of a scene cost, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +30,8 @@ pub struct Tag {
     pub is_proved: bool,
     /// The costs of the best plan without it, as a sentence.
     pub without: Option<String>,
+    /// Whether that plan can be shown beside.
+    pub has_plan: bool,
 }
 
 /// What is asked of the solver.
@@ -45,7 +49,58 @@ pub(crate) fn request(state: &State) -> PriceRequest {
     }
 }
 
+/// The best plan without a rule, which is shown beside the plan.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Without {
+    /// The rule, by its index in the scene.
+    pub(crate) rule: usize,
+    /// Its plan, of the scene in which the rule is off.
+    pub(crate) answer: Rc<Answer>,
+}
+
+/// The best plan without a rule, as far as its price is known.
+pub(crate) fn without(state: &State, rule: usize) -> Option<Without> {
+    let plan = price(state, rule)?.plan.clone()?;
+    let about = state.document.fresh_answer()?;
+    let mut scene = state.document.draft.scene().clone();
+    scene.constraints.get_mut(rule)?.off = true;
+    let draft = Rc::new(Draft::new(scene).ok()?);
+    let costs = check(draft.instance().ok()?, &plan).costs?;
+    let solved = SolveAnswer {
+        status: Status::Feasible,
+        costs: Some(costs),
+        plan: Some(plan),
+        bounds: BTreeMap::new(),
+        reach: Reach::default(),
+        reason: None,
+        trace: None,
+        ..about.solved.clone()
+    };
+    let request = SolveRequest {
+        scene: draft.scene().clone(),
+        ..(*about.request).clone()
+    };
+    let answer = Rc::new(Answer::new(draft, Rc::new(request), solved));
+    Some(Without { rule, answer })
+}
+
+/// The price of a rule, as far as it is known.
+fn price(state: &State, rule: usize) -> Option<&RulePrice> {
+    let told = state.prices()?.told.as_deref()?;
+    told.prices
+        .iter()
+        .find(|price| price.index as usize == rule)
+}
+
 impl State {
+    /// The best plan without a rule, where it is opened beside this one.
+    pub(crate) fn plan_without(&self) -> Option<&Without> {
+        let without = self.view.rules.without.as_ref()?;
+        let is_open = self.can_write_rules() && self.document.mode.asking().is_none();
+        let is_known = is_open && self.prices().is_some() && self.document.fresh_answer().is_some();
+        Some(without).filter(|_| is_known)
+    }
+
     /// Whether it is being found out what the rules cost.
     pub fn is_pricing(&self) -> bool {
         matches!(self.work.task(), Some(Task::Price(..)))
@@ -66,6 +121,7 @@ pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
         class,
         is_proved: false,
         without: None,
+        has_plan: false,
     };
     if is_off {
         return Some(plain(tr!("a rule" => "off"), "off"));
@@ -107,5 +163,6 @@ fn known(told: &PriceAnswer, price: &RulePrice) -> Tag {
         is_proved: price.exact,
         without: (!without.is_empty())
             .then(|| tr!("Without it: {costs}.", costs = without.join(", "))),
+        has_plan: price.plan.is_some(),
     }
 }

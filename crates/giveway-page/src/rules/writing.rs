@@ -11,6 +11,8 @@ pub(crate) struct Writing {
     pub(crate) rule: Constraint,
     /// The rule of the scene that it takes the place of, by its index.
     pub(crate) index: Option<usize>,
+    /// Whether it is asked why it is not so, instead of added.
+    pub(crate) asks: bool,
     /// The slot that is open.
     pub(crate) open: Option<Slot>,
     /// What can be written as well.
@@ -26,6 +28,7 @@ impl Writing {
         Some(Self {
             rule,
             index: None,
+            asks: false,
             open: None,
             offers,
             misread: None,
@@ -37,6 +40,7 @@ impl Writing {
         Self {
             rule: rule.clone(),
             index: Some(index),
+            asks: false,
             open: None,
             offers: Vec::new(),
             misread: None,

@@ -20,7 +20,8 @@ impl State {
     /// its place; the one that is previewed where the world changes.
     pub fn shown(&self) -> Option<&Rc<Answer>> {
         let is_alone = !self.view.is_wide && !self.hides_answers();
-        let other = self.farthest().filter(|_| is_alone);
+        let without = self.plan_without().map(|without| &without.answer);
+        let other = self.farthest().or(without).filter(|_| is_alone);
         let known = self.inside_plan().or_else(|| self.so_far()).or(other);
         known.or_else(|| self.document.shown(is_alone))
     }
@@ -63,6 +64,9 @@ impl State {
             _ if mode.asking().is_some() => self.opened(),
             Activity::Editing if self.farthest().is_some() => self.farthest(),
             Activity::Editing if self.open_before().is_some() => self.open_before(),
+            Activity::Editing if self.plan_without().is_some() => {
+                self.plan_without().map(|without| &without.answer)
+            }
             Activity::Editing => {
                 let runs = Runs::fresh(&self.document)?;
                 let this = self.document.answer.as_ref();
@@ -96,7 +100,8 @@ impl State {
     /// The scene on the board of an answer: a cell that is closed for a look is open on
     /// that of the plan before.
     pub fn world_of(&self, answer: Option<&Rc<Answer>>) -> &Rc<Draft> {
-        let before = self.open_before().zip(answer);
+        let without = self.plan_without().map(|without| &without.answer);
+        let before = self.open_before().or(without).zip(answer);
         match before.filter(|(before, answer)| Rc::ptr_eq(before, answer)) {
             Some((before, _)) => &before.draft,
             None => self.world(),

@@ -112,7 +112,7 @@ fn sorted(report: Report) -> (Vec<Violation>, Vec<Violation>) {
     // The judge has an agent stay where its path ends; it may yet be led away.
     let is_after = |violation: &Violation| {
         let ends = to_do.iter().filter(|open| open.time < violation.time);
-        violation.rule == Rule::Vertex
+        matches!(violation.rule, Rule::Vertex | Rule::Constraint)
             && ends
                 .flat_map(|open| &open.agents)
                 .any(|agent| violation.agents.contains(agent))

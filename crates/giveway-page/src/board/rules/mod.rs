@@ -5,11 +5,13 @@ mod tags;
 #[cfg(test)]
 mod tests;
 
+use giveway_model::condition::Times;
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Cell, Constraint, Scene};
 
 use super::shade::outline;
 use crate::rules::{Lit, zone_of};
+use crate::steering::Steering;
 use crate::{Draft, State};
 use tab::{Spot, folded, tab, times};
 use tags::place;
@@ -46,6 +48,8 @@ pub struct ZoneShape {
     pub is_closed: bool,
     /// Whether it is lit.
     pub is_lit: bool,
+    /// Whether one of its rules is broken at the time shown.
+    pub is_broken: bool,
 }
 
 /// A sign of a zone.
@@ -71,6 +75,8 @@ pub struct LaneShape {
     pub borders: Vec<(u32, u32, u32)>,
     /// Whether it is lit.
     pub is_lit: bool,
+    /// Whether it is broken at the time shown.
+    pub is_broken: bool,
 }
 
 /// A tag at a cell.
@@ -86,8 +92,75 @@ pub struct TagShape {
     pub is_above: bool,
 }
 
+/// What of the rules changes with the time shown.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RulesNow {
+    /// Which rules hold.
+    pub holds: Vec<bool>,
+    /// Which rules are broken, by their indices.
+    pub broken: Vec<usize>,
+    /// Where a robot makes a stay that a rule asks for, with how many steps of it are left.
+    pub stays: Vec<(Cell, u32)>,
+}
+
+/// What of the rules is so at the time shown.
+pub fn rules_now(state: &State) -> RulesNow {
+    let (scene, time) = (state.world().scene(), state.view.playback.time);
+    let broken = crate::rules::broken(state).filter(|violation| Steering::is_now(violation, time));
+    let broken = broken.filter_map(|violation| Some(violation.broken.as_ref()?.index as usize));
+    RulesNow {
+        holds: now(scene, time),
+        broken: broken.collect(),
+        stays: stays(state, time),
+    }
+}
+
+/// The stays that are made at a time.
+fn stays(state: &State, time: u32) -> Vec<(Cell, u32)> {
+    let Some(plan) = state.plan() else {
+        return Vec::new();
+    };
+    let scene = state.world().scene();
+    let rules = scene.constraints.iter().filter(|rule| !rule.off);
+    let made = rules.flat_map(|rule| {
+        let ConstraintKind::Visit { cell, stay, times } = &rule.kind else {
+            return Vec::new();
+        };
+        let names = rule.agents.as_ref();
+        let agents = scene.agents.iter();
+        let bound = agents.filter(|agent| names.is_none_or(|names| names.contains(&agent.name)));
+        let left = |agent: &giveway_model::Agent| {
+            let path = plan.path(&agent.name);
+            let end = first_stay(path, *cell, *stay, *times)? + stay;
+            (time <= end && time + stay >= end).then_some((*cell, end - time))
+        };
+        bound
+            .filter_map(left)
+            .filter(|(_, left)| *left > 0)
+            .collect()
+    });
+    made.collect()
+}
+
+/// When the first stay of so many steps begins at a cell that lies within some times.
+fn first_stay(path: &[Option<Cell>], cell: Cell, stay: u32, times: Times) -> Option<u32> {
+    let mut begun = None;
+    for (at, time) in path.iter().zip(0_u32..) {
+        if *at != Some(cell) || !times.contains(time) {
+            begun = None;
+            continue;
+        }
+        let first = *begun.get_or_insert(time);
+        if time - first >= stay {
+            return Some(first);
+        }
+    }
+    // It rests there: the path ends, the stay goes on.
+    begun.filter(|_| path.last() == Some(&Some(cell)))
+}
+
 /// Which rules hold at a time.
-pub fn now(scene: &Scene, time: u32) -> Vec<bool> {
+pub(super) fn now(scene: &Scene, time: u32) -> Vec<bool> {
     let holds = |rule: &Constraint| {
         let mut kind = rule.kind.clone();
         let times = crate::rules::parts(&mut kind).times.map(|times| *times);
@@ -109,8 +182,8 @@ pub(super) fn signs(state: &State) -> [bool; 4] {
     [!scene.zones.is_empty(), most, closed, lane]
 }
 
-/// What the rules of a draft put on the board; which of them hold now, and which is lit.
-pub fn rule_shapes(draft: &Draft, holds: &[bool], lit: Option<&Lit>) -> RuleShapes {
+/// What the rules of a draft put on the board; what is so of them now, and which is lit.
+pub fn rule_shapes(draft: &Draft, now: &RulesNow, lit: Option<&Lit>) -> RuleShapes {
     let scene = draft.scene();
     let mut shapes = RuleShapes::default();
     let mut taken: Vec<Spot> = Vec::new();
@@ -125,7 +198,7 @@ pub fn rule_shapes(draft: &Draft, holds: &[bool], lit: Option<&Lit>) -> RuleShap
         };
         let is_closed = rules().any(|(index, rule)| {
             let is_it = matches!(rule.kind, ConstraintKind::Closed { .. });
-            is_it && holds.get(index).copied().unwrap_or(false)
+            is_it && now.holds.get(index).copied().unwrap_or(false)
         });
         let tab = tab(draft, zone, &cells, &taken);
         taken.push(tab);
@@ -138,13 +211,31 @@ pub fn rule_shapes(draft: &Draft, holds: &[bool], lit: Option<&Lit>) -> RuleShap
             is_closed,
             is_lit: rules().any(|(index, _)| lit == Some(&Lit::Rule(index)))
                 || lit == Some(&Lit::Zone(zone.name.clone())),
+            is_broken: rules().any(|(index, _)| now.broken.contains(&index)),
         });
     }
     for (index, rule) in scene.constraints.iter().enumerate() {
         let is_lit = lit == Some(&Lit::Rule(index));
         if !rule.off || is_lit {
-            place(draft, rule, is_lit, &mut shapes);
+            place(
+                draft,
+                rule,
+                [is_lit, now.broken.contains(&index)],
+                &mut shapes,
+            );
         }
+    }
+    for &(cell, left) in &now.stays {
+        // It counts down in the place of what is asked for.
+        shapes
+            .tags
+            .retain(|tag| tag.class != "stay" || tag.cell != cell);
+        shapes.tags.push(TagShape {
+            cell,
+            text: left.to_string(),
+            class: "stay now",
+            is_above: true,
+        });
     }
     shapes
 }

@@ -8,7 +8,12 @@ use super::{LaneShape, RuleShapes, TagShape};
 use crate::Draft;
 
 /// Puts the lane or the tags of a rule on the board.
-pub(super) fn place(draft: &Draft, rule: &Constraint, is_lit: bool, shapes: &mut RuleShapes) {
+pub(super) fn place(
+    draft: &Draft,
+    rule: &Constraint,
+    [is_lit, is_broken]: [bool; 2],
+    shapes: &mut RuleShapes,
+) {
     let scene = draft.scene();
     let bound = || {
         let names = rule.agents.as_deref();
@@ -25,6 +30,7 @@ pub(super) fn place(draft: &Draft, rule: &Constraint, is_lit: bool, shapes: &mut
         ConstraintKind::OneWay { lane } => shapes.lanes.push(LaneShape {
             borders: lane.windows(2).filter_map(border).collect(),
             is_lit,
+            is_broken,
         }),
         ConstraintKind::Arrive { times } => {
             let Some((text, class)) = arrival(*times) else {

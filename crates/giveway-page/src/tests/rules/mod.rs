@@ -3,6 +3,8 @@
 mod lost;
 mod marks;
 mod slots;
+mod times;
+mod why;
 
 use giveway_model::condition::Times;
 use giveway_model::{Cell, Scene};
