@@ -4,7 +4,8 @@
 use giveway_model::change::MAX_DELAY;
 use giveway_model::tr;
 use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
-use giveway_page::{Action, BoardAction, ChangeAction, Edit, State, Tool};
+use giveway_page::rules::RuleAction;
+use giveway_page::{Action, BoardAction, ChangeAction, Edit, RuleEdit, State, Tool};
 use yew::prelude::*;
 
 use crate::field::number;
@@ -47,9 +48,33 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
                     </button>
                 }
             </section>
+            { rules(facts, send) }
             { choose(methods, send) }
             { history(&facts.history, true) }
         </>
+    }
+}
+
+/// The rules in force, each with a button that removes it from now on, and one for a new rule.
+fn rules(facts: &Facts, send: &Callback<Action>) -> Html {
+    let one = |(index, icon, sentence): &(usize, &'static str, String)| {
+        let index = *index;
+        let remove =
+            send.reform(move |_: MouseEvent| Action::Edit(Edit::Rules(RuleEdit::Remove(index))));
+        let name = tr!("Remove from now on: {rule}", rule = sentence);
+        html! {
+            <li key={index}>{ icon::show(icon) }<span>{ sentence.clone() }</span>
+                <button type="button" class="btn ghost round" title={tr!("Remove from now on")} aria-label={name} onclick={remove}>{ icon::show("erase") }</button>
+            </li>
+        }
+    };
+    let begin = send.reform(|_: MouseEvent| Action::Rules(RuleAction::Begin));
+    html! {
+        <section aria-label={tr!("Rules")}>
+            <h3>{ tr!("Rules") }</h3>
+            if !facts.rules.is_empty() { <ul class="changes">{ for facts.rules.iter().map(one) }</ul> }
+            <button type="button" class="btn ghost add-change" onclick={begin}>{ icon::show("plus") }{ tr!("A rule from now on") }</button>
+        </section>
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     <ul class="asks">{ for card.offers.iter().map(|of| offer(of, send)) }</ul>
                 </section>
             }
-            if card.zone.is_none() && !card.is_edited && !card.asks {
+            if card.marks {
                 <section>
                     <h3>{ tr!("Or mark a place on the board") }</h3>
                     <ul class="asks">{ marking(Tool::Zone, tr!("A limit, a closure: mark a zone"), send) }{ marking(Tool::OneWay, tr!("One direction: lead a lane"), send) }</ul>

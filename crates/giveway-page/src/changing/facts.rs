@@ -1,7 +1,7 @@
 //! What is listed, and what has changed before, in words.
 
-use giveway_model::change::What;
-use giveway_model::{Fault, tr};
+use giveway_model::change::{ConstraintRef, What};
+use giveway_model::{Constraint, Fault, tr};
 
 use super::Changing;
 use super::listed::whose;
@@ -16,6 +16,9 @@ pub struct Facts {
     pub at: u32,
     /// What is listed.
     pub list: Vec<Listed>,
+    /// The rules of the scene that are in force and not removed: each with its index, the icon
+    /// of its kind, and its sentence.
+    pub rules: Vec<(usize, &'static str, String)>,
     /// Whether the methods have answered.
     pub is_compared: bool,
     /// The first plan and how it went on.
@@ -65,22 +68,42 @@ pub fn facts(state: &State) -> Option<Facts> {
             }
         }),
     });
+    let rules = &state.document.draft.scene().constraints;
+    let is_removed = |index: usize| {
+        changing.list.iter().any(|what| {
+            matches!(what, What::RemoveConstraint { constraint: ConstraintRef::Index(of) } if *of as usize == index)
+        })
+    };
+    let in_force = rules.iter().enumerate();
+    let in_force = in_force.filter(|(index, rule)| !rule.off && !is_removed(*index));
     Some(Facts {
+        rules: in_force
+            .map(|(index, rule)| (index, rule.kind_name(), rule.sentence()))
+            .collect(),
         at: changing.at,
         list: changing
             .list
             .iter()
-            .map(|what| listed(changing, what))
+            .map(|what| listed(changing, what, rules))
             .collect(),
         is_compared: compared.is_some(),
         history: past,
     })
 }
 
-fn listed(changing: &Changing, what: &What) -> Listed {
+fn listed(changing: &Changing, what: &What, rules: &[Constraint]) -> Listed {
     let name = whose(what);
     let mut agents = changing.draft().agents().iter();
     let (text, detail) = change::sentence(what);
+    let (text, detail) = match what {
+        What::RemoveConstraint {
+            constraint: ConstraintRef::Index(index),
+        } => match rules.get(*index as usize) {
+            Some(rule) => (tr!("Rule removed").to_owned(), Some(rule.sentence())),
+            None => (text, detail),
+        },
+        _ => (text, detail),
+    };
     Listed {
         agent: name.and_then(|name| agents.position(|agent| agent.name == name)),
         icon: match what {

@@ -1,10 +1,10 @@
 //! Edits made of the world from a time on, while a plan runs.
 
-use giveway_model::change::What;
+use giveway_model::change::{ConstraintRef, What};
 use giveway_model::words::Sentence;
 use giveway_model::{Cell, Ground, tr_data};
 
-use super::{Edit, Paint};
+use super::{Edit, Paint, RuleEdit};
 use crate::Draft;
 
 /// The changes of the world that an edit is; `world` is as it stands before, with
@@ -76,6 +76,12 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
                 "Where a robot started is settled while its plan runs."
             ));
         }
+        Edit::Rules(RuleEdit::Put(None, rule)) => What::AddConstraint {
+            constraint: rule.clone(),
+        },
+        Edit::Rules(RuleEdit::Remove(rule)) => What::RemoveConstraint {
+            constraint: ConstraintRef::Index(u32::try_from(*rule).unwrap_or(u32::MAX)),
+        },
         Edit::SetBattery(_, None)
         | Edit::Rename(..)
         | Edit::Name(_)

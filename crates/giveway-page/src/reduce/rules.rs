@@ -53,6 +53,9 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
             begin(state, writing);
         }
         RuleAction::Question => {
+            if !state.can_write_rules() {
+                return ask::refuse(state, not_here());
+            }
             let mut offers = crate::rules::every(state);
             offers.retain(|rule| !rule.is_penalty());
             let writing = Writing::first(offers);
@@ -126,7 +129,7 @@ fn edit(state: &mut State, edit: RuleEdit) {
 
 /// Begins to write a rule, where rules can be written.
 fn begin(state: &mut State, writing: Option<Writing>) {
-    if !state.can_write_rules() {
+    if !state.can_add_rules() {
         return ask::refuse(state, not_here());
     }
     ask::close(state);
@@ -195,6 +198,14 @@ fn names(state: &State) -> Vec<String> {
 fn add(state: &mut State, writing: &Writing) {
     let count = state.document.draft.scene().constraints.len();
     let put = RuleEdit::Put(writing.index, writing.rule.clone());
+    if state.document.mode.changing().is_some() {
+        state.view.notice = None;
+        edit(state, put);
+        if state.view.notice.is_none() {
+            state.view.rules.writing = None;
+        }
+        return;
+    }
     if let Err(notice) = document::edit_scene(state, &[Edit::Rules(put)]) {
         state.view.notice = Some(notice);
         return;
@@ -306,7 +317,7 @@ pub(super) fn learn(state: &mut State, told: PriceAnswer) {
 /// What is written and lit is about what there is.
 pub(super) fn settle(state: &mut State) {
     let scene = state.document.draft.scene();
-    let can_write = state.can_write_rules();
+    let can_write = state.can_add_rules();
     let has_zone = |name: &String| scene.zones.iter().any(|zone| zone.name == *name);
     let view = &mut state.view.rules;
     let lost = view.zone.take_if(|name| !has_zone(name));

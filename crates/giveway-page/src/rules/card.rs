@@ -13,6 +13,10 @@ const STRETCHES: usize = 6;
 
 /// The rule that is being written.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is of its own: it shows a part of the card"
+)]
 pub struct Card {
     /// The zone that it is about, by its name.
     pub zone: Option<String>,
@@ -22,6 +26,8 @@ pub struct Card {
     pub is_edited: bool,
     /// Whether it is asked why it is not so.
     pub asks: bool,
+    /// Whether a place can be marked for another rule instead.
+    pub marks: bool,
     /// The icon of its kind.
     pub icon: &'static str,
     /// Its sentence.
@@ -111,6 +117,10 @@ pub fn card(state: &State) -> Option<Card> {
         place: cells.map_or_else(String::new, place),
         is_edited: writing.index.is_some(),
         asks: writing.asks,
+        marks: zone.is_none()
+            && writing.index.is_none()
+            && !writing.asks
+            && state.can_write_rules(),
         icon: icon(&writing.rule),
         pieces: pieces(&writing.rule, true),
         sentence: writing.rule.sentence(),

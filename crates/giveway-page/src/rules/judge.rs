@@ -94,6 +94,10 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
             };
         }
     };
+    if let Some(changing) = state.document.mode.changing() {
+        let title = tr!("It holds from time {at} on", at = changing.at);
+        return say(Ruling::Open, &title, Vec::new());
+    }
     if let Some(why) = never(state.document.draft.scene(), &writing.rule) {
         return say(Ruling::Never, tr!("No plan can keep it"), vec![why]);
     }

@@ -59,6 +59,11 @@ impl State {
         matches!(self.document.mode.activity, Activity::Editing)
     }
 
+    /// Whether a rule can be added while a plan runs: the world changes.
+    pub(crate) fn can_add_rules(&self) -> bool {
+        self.can_write_rules() || self.document.mode.changing().is_some()
+    }
+
     /// The rule or the zone that is lit.
     pub const fn lit_rule(&self) -> Option<&Lit> {
         self.view.rules.lit.as_ref()
@@ -66,7 +71,7 @@ impl State {
 
     /// Whether a rule is being written.
     pub fn is_writing_rule(&self) -> bool {
-        self.view.rules.writing.is_some() && self.can_write_rules()
+        self.view.rules.writing.is_some() && self.can_add_rules()
     }
 }
 

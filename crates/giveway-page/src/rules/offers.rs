@@ -44,7 +44,14 @@ pub(crate) fn offered(state: &State) -> Vec<Constraint> {
     match state.view.selection {
         Selection::Agent(agent) => of_agent(state, agent),
         Selection::Cell(cell) => of_cell(state, cell),
-        Selection::Nothing => without_place(),
+        Selection::Nothing => {
+            // While the world changes no zone is marked: the ones that are there have rules.
+            let changes = state.document.mode.changing().is_some();
+            let zones = &state.document.draft.scene().zones;
+            let zone = zones.first().filter(|_| changes);
+            let of_zone = zone.map(|zone| of_zone(&zone.name)).unwrap_or_default();
+            of_zone.into_iter().chain(without_place()).collect()
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Rules on the page: marked, written, judged, added, priced, and taken back.
 
+mod change;
 mod lost;
 mod marks;
 mod slots;
