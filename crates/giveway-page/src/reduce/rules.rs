@@ -39,34 +39,9 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
             begin(state, Writing::first(offers));
         }
         RuleAction::OfZone(name) => of_zone(state, &name),
-        RuleAction::Edit(index) => {
-            let rule = state.document.draft.scene().constraints.get(index);
-            let writing = rule.map(|rule| Writing::of(rule, index));
-            begin(state, writing);
-        }
-        RuleAction::Loosen(index) => {
-            let rule = state.document.draft.scene().constraints.get(index);
-            let writing = rule.map(|rule| Writing {
-                open: crate::rules::loosened(rule),
-                ..Writing::of(rule, index)
-            });
-            begin(state, writing);
-        }
-        RuleAction::Question => {
-            if !state.can_write_rules() {
-                return ask::refuse(state, not_here());
-            }
-            let mut offers = crate::rules::every(state);
-            offers.retain(|rule| !rule.is_penalty());
-            let writing = Writing::first(offers);
-            begin(
-                state,
-                writing.map(|writing| Writing {
-                    asks: true,
-                    ..writing
-                }),
-            );
-        }
+        RuleAction::Edit(index) => edit_rule(state, index, false),
+        RuleAction::Loosen(index) => edit_rule(state, index, true),
+        RuleAction::Question => question(state),
         RuleAction::Ask => {
             if let Some(writing) = writing {
                 ask_why(state, writing.rule.clone());
@@ -145,7 +120,32 @@ fn begin(state: &mut State, writing: Option<Writing>) {
     state.view.rules.writing = writing.map(Rc::new);
 }
 
-/// Asks why a rule is not kept, as it were in force.
+/// Begins to edit a rule; in the slot in which it can ask for less, if that is wanted.
+fn edit_rule(state: &mut State, index: usize, is_loosened: bool) {
+    let rule = state.document.draft.scene().constraints.get(index);
+    let writing = rule.map(|rule| Writing {
+        open: crate::rules::loosened(rule).filter(|_| is_loosened),
+        ..Writing::of(rule, index)
+    });
+    begin(state, writing);
+}
+
+/// Begins a question: why not a plan that keeps some rule. Rules with a weight forbid nothing.
+fn question(state: &mut State) {
+    if !state.can_write_rules() {
+        return ask::refuse(state, not_here());
+    }
+    let mut offers = crate::rules::every(state);
+    offers.retain(|rule| !rule.is_penalty());
+    let writing = Writing::first(offers);
+    let asks = writing.map(|writing| Writing {
+        asks: true,
+        ..writing
+    });
+    begin(state, asks);
+}
+
+/// Asks why a rule is not kept, as if it were in force.
 fn ask_why(state: &mut State, rule: Constraint) {
     let rule = Box::new(Constraint { off: false, ..rule });
     ask::ask(state, &Question::Rule { rule });
