@@ -137,6 +137,91 @@ describe("rules about a robot", () => {
   }, { screens: BOTH });
 });
 
+/** Five robots on a floor with two aisles, and five rules: `design/rules` of the project's drawings. */
+const TWO_AISLES = {
+  giveway: 1,
+  name: "two aisles",
+  map: ["..............", "####.####.####", "####.####.####", "####.####.####", "+.............", ".....~~~~....+", ".###.####.###.", ".###.####.###.", "....+........."],
+  agents: [
+    { name: "A1", start: [0, 0], goal: [12, 4], waypoints: [[5, 4]], battery: { capacity: 20, initial: 20 } },
+    { name: "A2", start: [6, 0], goal: [0, 7], waypoints: [[7, 0], [2, 8]], battery: { capacity: 17, initial: 17 } },
+    { name: "A3", start: [9, 0], goal: [9, 8], waypoints: [[9, 6], [13, 5]], battery: { capacity: 14, initial: 12 } },
+    { name: "A4", start: [3, 4], goal: [11, 8], waypoints: [[6, 5]], battery: { capacity: 14, initial: 13 } },
+    { name: "A5", start: [10, 8], goal: [0, 6], waypoints: [[3, 8]], battery: { capacity: 14, initial: 11 } },
+  ],
+  zones: [
+    { name: "aisle 1", rect: [4, 1, 4, 3] },
+    { name: "crossing", rect: [6, 4, 7, 5] },
+    { name: "cold store", rect: [8, 1, 13, 3] },
+  ],
+  constraints: [
+    { kind: "capacity", zone: "aisle 1", most: 1 },
+    { kind: "one-way", lane: [[9, 0], [9, 1], [9, 2], [9, 3], [9, 4]] },
+    { kind: "closed", zone: "crossing", from: 12, to: 15, name: "people crossing" },
+    { kind: "sequence", agent: "A3", cells: [[9, 6], [13, 5]] },
+    { kind: "no-waiting", zone: "cold store" },
+    { kind: "gap", steps: 1, off: true },
+  ],
+};
+
+describe("rules that are there", () => {
+  const flow = flows();
+
+  for (const { theme, screens } of LOOKS) {
+    flow(`when they hold, what is beside, what they are asked (${theme})`, async (playground) => {
+      await playground.open({ name: "two-aisles.json", bytes: JSON.stringify(TWO_AISLES) });
+      await playground.shows("two aisles");
+      await playground.solver.click();
+      await playground.says(/^Optimal: makespan 20, sum of costs 83/);
+      if (await playground.button("Pause").isVisible()) await playground.press("Pause");
+      const { inspector, page } = playground;
+      await playground.showTab("Timeline");
+      const stretch = page.getByRole("group", { name: "Times of rules" }).getByRole("button", { name: /^people crossing: No robot in 'crossing' from 12 to 15/ });
+      await stretch.focus();
+      await playground.picture(`rule-times-${theme}`);
+      await audit(playground, "times of rules");
+      await playground.key("Enter");
+      await inspector.getByRole("group", { name: /^No robot in crossing from 12 to 15/ }).waitFor();
+      await inspector.getByRole("button", { name: "Loosen", exact: true }).waitFor();
+      await playground.picture(`rule-row-${theme}`);
+      await page.getByRole("button", { name: "5 rules in force: show them" }).click();
+      await playground.showTab("Inspector");
+      const toggle = inspector.getByRole("switch", { name: /^No robot waits in cold store.*: in force$/ });
+      const before = await toggle.locator("..").boundingBox();
+      await toggle.locator("..").click();
+      await page.getByRole("button", { name: "4 rules in force: show them" }).waitFor();
+      const after = await toggle.locator("..").boundingBox();
+      assert.ok(Math.abs(before.y - after.y) < 2, `the switch stays under the pointer: ${before.y}, then ${after.y}`);
+      await playground.press("Undo");
+      await inspector.getByRole("button", { name: ASK }).click();
+      const row = inspector.getByRole("group", { name: /^At most 1 robot in aisle 1, \+2 steps$/ });
+      await row.waitFor();
+      await eventually("all prices", () => inspector.locator(".rule-tag.busy").count(), (count) => count === 0);
+      await inspector.getByRole("button", { name: "At most 1 robot in aisle 1: show and open" }).click();
+      await inspector.getByRole("button", { name: "Show that plan beside" }).click();
+      await playground.picture(`rule-beside-${theme}`);
+      await inspector.getByRole("button", { name: "Show that plan beside" }).click();
+      await inspector.getByRole("button", { name: "Why not a plan in which \u2026?" }).click();
+      await inspector.getByRole("button", { name: "Each cell stays free for 1 step behind any robot" }).click();
+      await playground.picture(`rule-question-${theme}`);
+      await audit(playground, "a rule that is asked about");
+      await inspector.getByRole("button", { name: "Ask", exact: true }).click();
+      await playground.says(/Each cell stays free for 1 step behind any robot|each cell stays free/i);
+      await playground.picture(`rule-asked-${theme}`);
+    }, { screens, theme });
+  }
+
+  flow("a closed zone with a goal in it is said at once, and what goes with a robot", async (playground) => {
+    await solve(playground);
+    await playground.pick("Zone");
+    await playground.stroke([3, 4]);
+    const { inspector } = playground;
+    await inspector.getByRole("button", { name: /^No robot in zone 1$/ }).click();
+    await inspector.getByText("A2 has its goal in zone 1, so no plan can keep this rule.").waitFor();
+    await playground.picture("rule-never");
+  }, { screens: BOTH });
+});
+
 async function solve(playground) {
   await playground.open({ name: "aisles.json", bytes: JSON.stringify(AISLES) });
   await playground.shows("three aisles");

@@ -75,15 +75,9 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
     let left = f64::from(of.from) * axis.column;
     let width = f64::from(of.to + 1 - of.from) * axis.column;
     let fits = ((width - 12.0) / LETTER).max(0.0);
-    let letters = of.text.chars();
     let room = giveway_page::timeline::whole(fits) as usize;
-    let text: String = if of.text.chars().count() <= room {
-        letters.collect()
-    } else if room > 2 {
-        letters.take(room - 1).chain(['\u{2026}']).collect()
-    } else {
-        String::new()
-    };
+    // What has no room is cut off: what is seen is a part of the name.
+    let text: String = of.text.chars().take(room).collect();
     let class = classes!(
         "stretch",
         of.is_now.then_some("now"),
@@ -102,7 +96,6 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
         <g key={rule} {class} role="button" tabindex="0" aria-label={of.label.clone()} transform={format!("translate({left} {top})")}
             onclick={press} {onkeydown} onfocus={send.reform(move |_| light(true))} onblur={send.reform(move |_| light(false))}
             onmouseenter={send.reform(move |_| light(true))} onmouseleave={send.reform(move |_| light(false))}>
-            <title>{ of.label.clone() }</title>
             { bar("base") }{ bar("hatch") }
             if !text.is_empty() {
                 <rect class="plate" x={(width / 2.0 - plate / 2.0).to_string()} y="4" width={plate.to_string()} height="14" rx="3" />

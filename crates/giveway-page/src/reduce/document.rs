@@ -149,7 +149,7 @@ pub(super) fn edit_scene(state: &mut State, edits: &[Edit]) -> Result<(), Notice
             matches!(edit, Edit::Rules(RuleEdit::Remove(_) | RuleEdit::Put(..))) || edit.is_afresh()
         };
         let lost = (!edits.iter().any(is_meant))
-            .then(|| super::rules::lost(&state.document.draft, &after.draft));
+            .then(|| crate::rules::lost(&state.document.draft, &after.draft));
         state.view.notice = lost.flatten();
         state.displaced = None;
         put(state, after);

@@ -89,7 +89,7 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
         Ok(draft) => {
             let mut document = Document::clone(&state.document);
             document.set_draft(draft);
-            if let Some(lost) = rules::lost(&state.document.draft, &document.draft) {
+            if let Some(lost) = crate::rules::lost(&state.document.draft, &document.draft) {
                 state.view.notice = Some(lost);
             }
             state.displaced = None;

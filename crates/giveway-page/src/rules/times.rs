@@ -105,11 +105,15 @@ fn stretch(state: &State, index: usize, rule: &Constraint, last: u32) -> Option<
     }
     let sentence = rule.sentence();
     let zone = zone_of(&rule.kind).map(str::to_owned);
+    let sentence_of = match &rule.name {
+        Some(name) => format!("{name}: {sentence}"),
+        None => sentence.clone(),
+    };
     let label = if broken.is_empty() {
-        sentence.clone()
+        sentence_of
     } else {
         let when = ranges(&broken, 3);
-        tr!("{rule}: broken {when}", rule = sentence, when)
+        tr!("{rule}, broken {when}", rule = sentence_of, when)
     };
     Some(Stretch {
         rule: index,

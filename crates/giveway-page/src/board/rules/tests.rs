@@ -30,9 +30,9 @@ fn holds(scene: &giveway_model::Scene, time: u32) -> RulesNow {
 #[test]
 fn a_tab_stays_off_what_a_cell_is_called() {
     // The upper edge of the hall lies below free cells; one of them is a goal.
-    let text = r###"{ "giveway": 1, "map": ["....", "....", "...."],
+    let text = r#"{ "giveway": 1, "map": ["....", "....", "...."],
         "agents": [{ "name": "A1", "start": [0, 2], "goal": [1, 0] }],
-        "zones": [{ "name": "hall", "cells": [[1, 1], [2, 1], [3, 1]] }] }"###;
+        "zones": [{ "name": "hall", "cells": [[1, 1], [2, 1], [3, 1]] }] }"#;
     let draft = Draft::new(serde_json::from_str(text).unwrap()).unwrap();
     let shapes = rule_shapes(&draft, &RulesNow::default(), None);
     assert_eq!(shapes.zones[0].tab, (222.0, 80.0), "one cell further on");
