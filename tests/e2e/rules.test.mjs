@@ -187,6 +187,7 @@ describe("rules that are there", () => {
       await page.getByRole("button", { name: "5 rules in force: show them" }).click();
       await playground.showTab("Inspector");
       const toggle = inspector.getByRole("switch", { name: /^No robot waits in cold store.*: in force$/ });
+      await toggle.locator("..").scrollIntoViewIfNeeded();
       const before = await toggle.locator("..").boundingBox();
       await toggle.locator("..").click();
       await page.getByRole("button", { name: "4 rules in force: show them" }).waitFor();
@@ -201,7 +202,7 @@ describe("rules that are there", () => {
       await inspector.getByRole("button", { name: "Show that plan beside" }).click();
       await playground.picture(`rule-beside-${theme}`);
       await inspector.getByRole("button", { name: "Show that plan beside" }).click();
-      await inspector.getByRole("button", { name: "Why not a plan in which \u2026?" }).click();
+      await inspector.getByRole("button", { name: "Why not a plan in which …?" }).click();
       await inspector.getByRole("button", { name: "Each cell stays free for 1 step behind any robot" }).click();
       await playground.picture(`rule-question-${theme}`);
       await audit(playground, "a rule that is asked about");

@@ -47,6 +47,36 @@ describe("touch", () => {
     assert.equal(await playground.button("Undo").isDisabled(), true);
   }, { screens, ...MOVING });
 
+  flow("a finger marks a zone and leads a lane", async (playground, surroundings) => {
+    await playground.says(OPENING);
+    const touch = await fingers(surroundings);
+    const lead = async (...cells) => {
+      const [first, ...rest] = await Promise.all(cells.map(([x, y]) => playground.middleOf(x, y)));
+      await touch("touchStart", first);
+      for (const at of rest) await touch("touchMove", at);
+      await touch("touchEnd");
+    };
+    await playground.pick("Zone");
+    await lead([0, 1], [0, 2], [2, 2]);
+    const { inspector } = playground;
+    await inspector.getByText("A rule for zone 1").waitFor();
+    for (const [x, y] of [[0, 1], [0, 2], [1, 2], [2, 2]]) {
+      await playground.cellTells(x, y, /zone 1/);
+    }
+    await inspector.getByRole("button", { name: "Add the rule" }).tap();
+    await playground.showTab("Inspector");
+    await inspector.getByRole("group", { name: "At most 1 robot in zone 1", exact: true }).waitFor();
+    await playground.pick("One-way");
+    await lead([0, 1], [0, 2], [1, 2]);
+    await playground.showTab("Inspector");
+    await inspector.getByRole("group", { name: /^One way along \(0, 1\), \(0, 2\), \(1, 2\)$|^One way from \(0, 1\) to \(1, 2\)$/ }).waitFor();
+    // Back along itself the lane turns round.
+    await lead([1, 2], [0, 2], [0, 1]);
+    await inspector.getByRole("group", { name: /^One way (from|along) \(1, 2\)/ }).waitFor();
+    await playground.press("Undo");
+    await inspector.getByRole("group", { name: /^One way (from|along) \(0, 1\)/ }).waitFor();
+  }, { screens, ...MOVING });
+
   flow("two fingers enlarge the map, and paint nothing", async (playground, surroundings) => {
     await playground.says(OPENING);
     await playground.pick("Obstacle");

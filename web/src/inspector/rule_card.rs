@@ -22,7 +22,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             { head(card, send) }
             <section class="writing" role="group" aria-labelledby="rule-title">
                 <p class="writing-title" id="rule-title">{ icon::show(card.icon) }{ match &card.zone {
-                    _ if card.asks => tr!("Why not a plan in which \u{2026}?").to_owned(),
+                    _ if card.asks => tr!("Why not a plan in which …?").to_owned(),
                     Some(zone) => tr!("A rule for {zone}", zone),
                     None => tr!("A rule").to_owned(),
                 } }</p>
@@ -56,7 +56,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
 
 fn head(card: &Card, send: &Callback<Action>) -> Html {
     let title = if card.asks {
-        tr!("Why not a plan in which \u{2026}?")
+        tr!("Why not a plan in which …?")
     } else if card.is_edited {
         tr!("Edit the rule")
     } else {

@@ -168,7 +168,7 @@ pub(super) fn question(state: &State, send: &Callback<Action>) -> Html {
     }
     html! {
         <ul class="asks"><li><button type="button" class="ask" onclick={act(send, || RuleAction::Question)}>
-            { icon::show("question") }<span>{ tr!("Why not a plan in which \u{2026}?") }</span>{ icon::at_end("chevron") }
+            { icon::show("question") }<span>{ tr!("Why not a plan in which …?") }</span>{ icon::at_end("chevron") }
         </button></li></ul>
     }
 }
