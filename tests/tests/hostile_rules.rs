@@ -207,6 +207,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             question: Question::Makespan,
             objective,
             within,
+            layers: Vec::new(),
             limits: limits(),
         }),
         Request::Explain(ExplainRequest {
@@ -217,6 +218,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             question: Question::Unsolvable,
             objective: None,
             within,
+            layers: Vec::new(),
             limits: limits(),
         }),
     ];
@@ -246,6 +248,7 @@ fn ask_one(what: &str, rule: &Constraint, (scene, plan): &(Scene, Plan)) {
         },
         objective: None,
         within: None,
+        layers: Vec::new(),
         limits: limits(),
     };
     ask(what, "rule", &Request::Explain(request));

@@ -33,6 +33,7 @@ fn answer(words: &str) -> ExplainAnswer {
         at: None,
         objective: None,
         within: None,
+        layers: Vec::new(),
         limits: Limits::default(),
     });
     match serve(&request, &SilentHost) {

@@ -86,6 +86,7 @@ impl Asking {
             question,
             objective: answer.request.objective.clone(),
             within: answer.request.within,
+            layers: Vec::new(),
             limits,
         });
         Self::new(request, Rc::clone(answer))

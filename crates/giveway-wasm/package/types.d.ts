@@ -372,7 +372,56 @@ export interface ExplainRequest {
   objective?: Cost[];
   /** Only plans of at most this makespan count. */
   within?: number;
+  /** Each with those of `whole`, `reason` and `help` before it; without any these three. */
+  layers?: Layer[];
   limits?: Limits;
+}
+
+/** The layers of an answer, the quickest first. */
+export type Layer = "here" | "near" | "whole" | "reason" | "help";
+
+/** What the plan shows where something is asked about. */
+export interface Here {
+  /** The robot that would do otherwise. */
+  agent: string;
+  /** Of a wait: who uses the robot's further way meanwhile. */
+  passing: { agent: string; cell: Cell; time: number }[];
+  /** The rules that would be broken if only this changed, all others as in the plan. */
+  violations: Violation[];
+  words: string;
+}
+
+/** A robot that another plan moves differently. */
+export interface AgentDifference {
+  agent: string;
+  arrival: number;
+  other: number;
+  more_waits: number;
+  other_way: boolean;
+}
+
+/** A plan near to the one that is asked about. */
+export interface Variation {
+  kind: "elsewhere" | "other-way" | "swapped" | "others";
+  /** Of `swapped`: the robot that waits. */
+  other?: string;
+  /** Of `elsewhere`: where the robot waits, and from when on. */
+  cell?: Cell;
+  from?: number;
+  costs: Costs;
+  deltas: Partial<Record<Cost, number>>;
+  pays: AgentDifference[];
+  /** The paths and charges of the robots that move differently; all others do as in the plan. */
+  plan: Plan;
+  text: string;
+}
+
+/** Small variations of the plan that are as asked for, the cheapest first. */
+export interface Near {
+  variations: Variation[];
+  /** The costs of the cheapest: the best other plan costs no more. */
+  at_most?: Costs;
+  words: string;
 }
 
 /** Of the best other plan: it costs the same, less, more; there is none; not known. */
@@ -477,7 +526,10 @@ export interface ExplainAnswer {
   /** Of `needless`: how the other plan does without it; `free` is there only alone. */
   how?: ("others" | "other-way" | "elsewhere" | "free")[];
   /** The robots that the other plan moves differently; who arrives later by most is the first. */
-  pays?: { agent: string; arrival: number; other: number; more_waits: number; other_way: boolean }[];
+  pays?: AgentDifference[];
+  /** Where these layers are asked for; `alternative` is the cheapest variation until there is a verdict. */
+  here?: Here;
+  near?: Near;
   /** What would happen; of `unsolvable` with the class of rules that were soft. */
   witness: (Violation & { class?: "collision" | "obstacle" | "battery" | "waypoint" })[];
   core: Core | null;

@@ -95,6 +95,7 @@ impl Course {
             question: question.clone(),
             objective: None,
             within: None,
+            layers: Vec::new(),
             limits: limits(),
         });
         match serve(&request, &SilentHost) {

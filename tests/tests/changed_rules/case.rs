@@ -124,6 +124,7 @@ impl Case {
             question: question.clone(),
             objective: None,
             within: None,
+            layers: Vec::new(),
             limits: Limits {
                 conflicts: Some(20_000),
                 ..Limits::default()

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
 use giveway_model::{Cell, Objective};
+use giveway_solve::explain::Layer;
 
 use super::{Source, seconds, whole};
 
@@ -69,6 +70,11 @@ pub(crate) struct Explain {
     /// longest time that a robot needs alone + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
+    /// The layers of the answer, the quickest first: here (what the plan shows), near (small
+    /// variations of it), whole (the verdict), reason, help; each of the last three with those of
+    /// them before it [default: whole,reason,help]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) layers: Vec<Layer>,
     /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,

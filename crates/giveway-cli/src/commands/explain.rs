@@ -1,7 +1,7 @@
 //! `giveway explain`: why a plan is as it is.
 
 use giveway_model::{Instance, Plan, Question, change::History, question::Asked};
-use giveway_solve::explain::{ExplainRequest, Verdict};
+use giveway_solve::explain::{ExplainRequest, Layer, Verdict};
 use giveway_solve::{Limits, Refusal, Request, Response, serve};
 
 use super::{delays, one_standard_input, otherwise::refused_plan, proof, unexpected};
@@ -51,6 +51,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         question,
         objective: None,
         within: args.within,
+        layers: args.layers.clone(),
         limits: Limits {
             // The limit is for the whole command: reading has taken its part.
             seconds: args
@@ -83,7 +84,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
             }
             Ok(match (answer.valid, answer.verdict) {
                 (Some(false), _) => Exit::Wrong,
-                (_, Verdict::Unknown) => Exit::Unknown,
+                (_, Verdict::Unknown) if is_judged(args) => Exit::Unknown,
                 _ => Exit::Answered,
             })
         }
@@ -95,6 +96,12 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         }),
         _ => Err(unexpected(&args.source.instance)),
     }
+}
+
+/// Whether the answer is to have a verdict.
+fn is_judged(args: &Explain) -> bool {
+    let quick = |layer: &Layer| matches!(layer, Layer::Here | Layer::Near);
+    args.layers.is_empty() || !args.layers.iter().all(quick)
 }
 
 /// The world over time with the changes that count, where there are any.

@@ -59,6 +59,8 @@ pub(super) fn badge(told: &ExplainAnswer) -> Badge {
 
 pub(super) fn pending(part: Part) -> &'static str {
     match part {
+        Part::Here => tr!("Looking at the plan"),
+        Part::Near => tr!("Trying small changes"),
         Part::Verdict => tr!("Looking for the verdict"),
         Part::Closest => tr!("Looking for a plan closer to this one"),
         Part::Witness => tr!("Looking for what would happen"),

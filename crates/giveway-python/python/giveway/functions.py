@@ -120,20 +120,24 @@ def compare(scene: AnyScene, one: AnyPlan, other: AnyPlan) -> Comparison:
 def explain(
     scene: AnyScene, question: str | Mapping[str, Any], plan: AnyPlan | None = None, *,
     changes: Mapping[str, Any] | None = None, at: int | None = None, objective: Objective | None = None,
-    within: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
-    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    within: int | None = None, layers: Sequence[str] | None = None, time_limit: float | None = None,
+    conflict_limit: int | None = None, memory_limit: int | None = None, on_progress: OnProgress | None = None,
+    should_stop: ShouldStop | None = None,
 ) -> Explanation:
     """Answers a question about a plan, or about there being none.
 
     The question is plain data, such as ``{"kind": "wait", "agent": "A1"}``, or in the words
-    of the command: ``"wait A1 --at 3,1"``. Without a plan the scene is solved first.
+    of the command: ``"wait A1 --at 3,1"``. Without a plan the scene is solved first. ``layers``
+    names those of the answer: ``here``, ``near``, ``whole``, ``reason``, ``help``; without any the
+    last three.
     """
     if isinstance(question, str):
         question = call("read-question", {"words": words(question)})
     elif not isinstance(question, Mapping):
         raise refusal("question", described(question), "a text, or an object with its kind")
     request = without_none(
-        scene=scene, question=question, plan=plan, changes=changes, at=at, objective=costs(objective), within=within)
+        scene=scene, question=question, plan=plan, changes=changes, at=at, objective=costs(objective), within=within,
+        layers=None if layers is None else list(layers))
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return _ask(Explanation, "explain", request, on_progress, should_stop)
 

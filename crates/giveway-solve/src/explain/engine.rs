@@ -12,11 +12,13 @@ use giveway_model::{
 };
 
 use super::{
-    ExplainAnswer, ExplainRequest, Part, Verdict,
+    ExplainAnswer, ExplainRequest, Layer, Part, Verdict,
     ask::{Ask, any},
     changed::{ChangedWorld, asked, counting},
     closest::closest,
+    here::here,
     how::{differences, how},
+    near::near,
     own_plan::OwnPlanReport,
     reasons,
     verdict::{FittingQuestion, compare},
@@ -48,6 +50,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             question: request.question.clone(),
             within: request.within,
             whole: WholePlan::default(),
+            layers: &request.layers,
         };
         return answered(&asked, &budget, host);
     };
@@ -75,6 +78,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         whole: WholePlan {
             running: Some((&snapshot, &request.question)),
         },
+        layers: &request.layers,
     };
     answered(&asked, &budget, host)
 }
@@ -95,6 +99,8 @@ struct PlanQuestion<'a> {
     /// The horizon, where a person set one.
     within: Option<u32>,
     whole: WholePlan<'a>,
+    /// The layers that the answer has; those of a request without layers where there are none.
+    layers: &'a [Layer],
 }
 
 /// The answer for a plan that breaks rules while the world changes.
@@ -123,6 +129,7 @@ fn answered(
         question,
         within,
         whole,
+        layers,
     } = asked;
     let (within, whole) = (*within, *whole);
     let costs = plan.as_ref();
@@ -137,7 +144,7 @@ fn answered(
     names_exist(whole.asked(question), instance).map_err(refused)?;
     let mut answer = ExplainAnswer::empty(question);
     if matches!(question, Question::Unsolvable) {
-        no_plan(instance, within, &mut answer, &telling)?;
+        no_plan(instance, within, layers, &mut answer, &telling)?;
         return Ok(whole.answer(answer, costs));
     }
     let solved = match plan {
@@ -166,29 +173,53 @@ fn answered(
     answer.plan = best;
     let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
     case.optimal = solved.and_then(|solved| solved.reach);
-    answer.pending = vec![
-        Part::Verdict,
-        Part::Closest,
-        Part::Witness,
-        Part::Core,
-        Part::Repairs,
-    ];
-    tell_verdict(&mut case, &mut answer, &telling);
-    reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
-        telling.tell(answer, part);
-    });
+    answer.pending = Layer::parts(layers);
+    tell_nearby(&case, &mut answer, &telling);
+    if answer.pending.contains(&Part::Verdict) {
+        tell_verdict(&mut case, &mut answer, &telling);
+    }
+    if answer.pending.contains(&Part::Witness) {
+        reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
+            telling.tell(answer, part);
+        });
+    }
+    answer.stats = budget.stats();
     Ok(whole.answer(answer, telling.costs))
 }
 
-/// The verdict with an other plan: the first part.
+/// What the plan shows, and small variations of it, where these layers are asked for.
+fn tell_nearby(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
+    if answer.pending.contains(&Part::Here) {
+        answer.here = here(case, telling.budget);
+        words::nearby(answer);
+        telling.tell(answer, Part::Here);
+    }
+    if answer.pending.contains(&Part::Near) {
+        near(case, telling.budget, &mut |near, best| {
+            answer.near = Some(near);
+            if let Some((plan, costs)) = best {
+                (answer.alternative, answer.costs) = (Some(plan), Some(costs));
+                answer.deltas = case.deltas(&costs);
+                compare_agents(case, answer);
+            }
+            words::nearby(answer);
+            telling.tell_more(answer);
+        });
+        telling.tell(answer, Part::Near);
+    }
+}
+
+/// The verdict with an other plan.
 fn tell_verdict(case: &mut FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
-    let compared = compare(case, telling.budget);
+    let known = answer.alternative.take().zip(answer.costs.take());
+    let compared = compare(case, known, telling.budget);
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
     answer.reach = compared.reach.into();
     let (alternative, costs) = compared.other.unzip();
     (answer.alternative, answer.costs) = (alternative, costs);
+    (answer.pays, answer.how) = (Vec::new(), Vec::new());
     compare_agents(case, answer);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
@@ -236,6 +267,11 @@ impl Reporter<'_, '_> {
     /// Tells that a part of the answer is there.
     fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
         answer.pending.retain(|&pending| pending != part);
+        self.tell_more(answer);
+    }
+
+    /// Tells that more of a part is there.
+    fn tell_more(&self, answer: &mut ExplainAnswer) {
         answer.stats = self.budget.stats();
         if !answer.pending.is_empty() {
             let answer = self.whole.answer(answer.clone(), self.costs);
@@ -249,6 +285,7 @@ impl Reporter<'_, '_> {
 fn no_plan(
     instance: &Instance,
     within: Option<u32>,
+    layers: &[Layer],
     answer: &mut ExplainAnswer,
     telling: &Reporter,
 ) -> Result<(), Refusal> {
@@ -282,7 +319,10 @@ fn no_plan(
         answer.stats = telling.budget.stats();
         return Ok(());
     }
-    answer.pending = vec![Part::Verdict, Part::Witness, Part::Core, Part::Repairs];
+    // Without a plan there is nothing to show, and none is near.
+    answer.pending = Layer::parts(layers);
+    let needs_plan = [Part::Here, Part::Near, Part::Closest];
+    answer.pending.retain(|part| !needs_plan.contains(part));
     let tell = &mut |answer: &mut ExplainAnswer, part| telling.tell(answer, part);
     let (whole, budget) = (telling.whole, telling.budget);
     reasons::of_no_plan(instance, within, &found, whole, answer, budget, tell);

@@ -9,7 +9,9 @@ use giveway_model::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::{AgentDifference, Core, Excess, How, Repair, SubsetBound, WitnessEntry};
+use super::{
+    AgentDifference, Core, Excess, Here, How, Layer, Near, Repair, SubsetBound, WitnessEntry,
+};
 use crate::{Limits, Reach, Stats};
 
 /// Answer a question about a plan, or about there being none.
@@ -39,6 +41,10 @@ pub struct ExplainRequest {
     /// The horizon, in time steps; never less than the plan's makespan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
+    /// The layers of the answer, each with those of `whole`, `reason` and `help` before it; without
+    /// any these three.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
     /// The budget for all parts of the answer together.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,
@@ -88,6 +94,10 @@ pub enum Verdict {
 )]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
+    /// What the plan shows.
+    Here,
+    /// Small variations of the plan.
+    Near,
     /// The verdict with an other plan.
     Verdict,
     /// The other plan closest to the one asked about.
@@ -116,6 +126,13 @@ pub struct ExplainAnswer {
     /// none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<Plan>,
+    /// What the plan shows, where that layer is asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub here: Option<Here>,
+    /// Small variations of the plan, where that layer is asked for; until there is a verdict,
+    /// `alternative` is the cheapest of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub near: Option<Near>,
     /// The verdict. Of `unsolvable` it is `necessary` where there is indeed no
     /// plan; of `plan` it is `needless` where the plan is optimal, `improvable`
     /// where it is not.
@@ -182,6 +199,8 @@ impl ExplainAnswer {
             question: question.clone(),
             since: None,
             plan: None,
+            here: None,
+            near: None,
             verdict: Verdict::Unknown,
             costs: None,
             deltas: BTreeMap::new(),

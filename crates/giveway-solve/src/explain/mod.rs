@@ -20,6 +20,7 @@
 //!   the fewest rules;
 //! - [`own_plan`]: a person's own plan beside the best;
 //! - [`unsolvable`]: all of these, where there is no plan;
+//! - [`layers`]: the layers of an answer; `here`: what the plan shows; `near`: small variations of it;
 //! - [`answer`]: reasons in the shapes in which they are written as JSON;
 //! - [`words`]: reasons in words.
 
@@ -37,8 +38,11 @@ mod fact_groups;
 pub(crate) mod group;
 pub(crate) mod group_mus;
 mod growing;
+mod here;
 pub(crate) mod how;
+mod layers;
 pub(crate) mod lone_walk;
+mod near;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;
 pub(crate) mod reasons;
@@ -59,6 +63,7 @@ pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
 pub use fact_groups::{FactGroup, FactGroupKind, FactPrice, MOST_GROUPS};
 pub use how::{AgentDifference, How};
+pub use layers::{Here, Layer, Near, Passing, Variation, VariationKind};
 pub use words::{
     alone_sentence, edits_in_words, facts_claim, facts_title, helps_mark, how_of, how_sentence,
     verdict_word, witness_title,

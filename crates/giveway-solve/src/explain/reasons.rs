@@ -88,7 +88,9 @@ pub(crate) fn of_case(
         answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
         word(case, &about, answer);
         tell(answer, Part::Core);
-        if let Some(core) = &core {
+        if let Some(core) = &core
+            && answer.pending.contains(&Part::Repairs)
+        {
             help_case(case, core, answer, budget);
             word(case, &about, answer);
         }
@@ -192,6 +194,9 @@ pub(crate) fn of_no_plan(
     answer.verdict = Verdict::Necessary;
     answer.reach = found.reach.into();
     tell_no_plan(answer, whole, Part::Verdict, tell);
+    if !answer.pending.contains(&Part::Witness) {
+        return;
+    }
     let searching = |times| AnyPlan {
         objective: instance.objective(),
         horizon: found.horizon,
@@ -216,7 +221,9 @@ pub(crate) fn of_no_plan(
     answer.core = core.as_ref().map(|core| core.core(instance, deadline));
     tell_no_plan(answer, whole, Part::Core, tell);
 
-    if let Some((core, reach)) = core.as_ref().zip(found.reach) {
+    let help = answer.pending.contains(&Part::Repairs);
+    let helped = core.as_ref().zip(found.reach).filter(|_| help);
+    if let Some((core, reach)) = helped {
         let mut any_plan = searching(REPAIRS);
         let broken = Unsolved {
             instance,

@@ -4,7 +4,9 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Condition, Cost, Costs, Instance, Objective, Plan, Question, check::cost_of};
+use giveway_model::{
+    Condition, Cost, Costs, Instance, Objective, Plan, Question, check::cost_of, sorting::map,
+};
 
 use super::{
     Verdict,
@@ -75,6 +77,13 @@ impl<'a> FittingQuestion<'a> {
         self.conditions.iter().flatten()
     }
 
+    /// The difference of a plan with these costs, for each cost of the objective.
+    pub(crate) fn deltas(&self, costs: &Costs) -> BTreeMap<Cost, i64> {
+        let more = |cost: Cost| i64::from(costs.get(cost)) - i64::from(self.costs.get(cost));
+        let objective = self.objective().costs().iter();
+        map(objective.map(|&cost| (cost, more(cost))))
+    }
+
     /// Calls the search with each of the conditions in turn.
     fn each(&self, mut with: impl FnMut(&Ask)) {
         for condition in self.conditions() {
@@ -102,12 +111,24 @@ pub(crate) struct Compared {
     pub(crate) reach: Option<Proved>,
 }
 
-/// Compares the plan with the best one that is as asked for.
-pub(crate) fn compare(case: &FittingQuestion, budget: &Rc<Budget>) -> Compared {
+/// Compares the plan with the best one that is as asked for. `known` is such a plan: it is told
+/// where the search does not find a better one in its limits.
+pub(crate) fn compare(
+    case: &FittingQuestion,
+    known: Option<(Plan, Costs)>,
+    budget: &Rc<Budget>,
+) -> Compared {
     let found = best_with(case, budget);
     let objective = case.objective();
     let before = case.costs.vector(objective);
-    let other = found.plan.zip(found.costs);
+    let mut other = found.plan.zip(found.costs);
+    if let Some((_, known_costs)) = &known {
+        let vector = known_costs.vector(objective);
+        let is_better = |(_, costs): &(Plan, Costs)| vector < costs.vector(objective);
+        if !settled(found.status) && other.as_ref().is_none_or(is_better) {
+            other = known;
+        }
+    }
     let after = other.as_ref().map(|(_, costs)| costs.vector(objective));
     let proved = found.reach.filter(|_| settled(found.status));
     let verdict = match &after {
@@ -118,13 +139,8 @@ pub(crate) fn compare(case: &FittingQuestion, budget: &Rc<Budget>) -> Compared {
         Some(_) if proved.is_some() => Verdict::Costly,
         _ => Verdict::Unknown,
     };
-    let mut deltas = BTreeMap::new();
-    if let Some((_, costs)) = &other {
-        for &cost in objective.costs() {
-            let more = i64::from(costs.get(cost)) - i64::from(case.costs.get(cost));
-            deltas.insert(cost, more);
-        }
-    }
+    let deltas = other.as_ref();
+    let deltas = deltas.map_or_else(BTreeMap::new, |(_, costs)| case.deltas(costs));
     // No proof is needed where a plan at hand costs no more.
     let at_hand = case.optimal.filter(|_| verdict == Verdict::Needless);
     let reach = match (proved, at_hand) {

@@ -5,6 +5,17 @@ use giveway_model::{Cell, Instance, Path, Plan, Question, check::Violation};
 
 use super::whole::WholePlan;
 
+/// A plan from which the waits that are asked about were taken.
+pub(crate) struct TakenOut {
+    /// The plan: the agent does everything later earlier, all others as before.
+    pub(crate) plan: Plan,
+    /// The wait steps that were taken out.
+    pub(crate) steps: u32,
+    /// When the first wait that is asked about begins and ends.
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+}
+
 /// The violations that would follow; none where the question is about no wait.
 pub(crate) fn witness(
     instance: &Instance,
@@ -12,6 +23,16 @@ pub(crate) fn witness(
     plan: &Plan,
     whole: WholePlan,
 ) -> Vec<Violation> {
+    without_waits(instance, question, plan)
+        .map_or_else(Vec::new, |taken| whole.check(instance, &taken.plan))
+}
+
+/// The plan without the waits that are asked about; `None` where the question is about no wait.
+pub(crate) fn without_waits(
+    instance: &Instance,
+    question: &Question,
+    plan: &Plan,
+) -> Option<TakenOut> {
     let Question::Wait {
         agent,
         at,
@@ -20,7 +41,7 @@ pub(crate) fn witness(
         at_least,
     } = question
     else {
-        return Vec::new();
+        return None;
     };
     let mut other = plan.clone();
     other.cut_trailing_goals(instance);
@@ -31,10 +52,14 @@ pub(crate) fn witness(
         spared: at_least.map_or(0, |steps| steps.saturating_sub(1)),
         begun: instance.start_state(agent).waits_begun,
     };
-    let Some(path) = other.paths.get_mut(agent) else {
-        return Vec::new();
-    };
+    let path = other.paths.get_mut(agent)?;
     let moved = asked.take_out(path);
+    let steps = (moved.len() as u32).saturating_sub(path.len() as u32);
+    // An entry that was taken out has the time of the one before it.
+    let is_out = |pair: &[u32]| pair.first() == pair.last();
+    let from = moved.windows(2).position(is_out).unwrap_or(0);
+    let out = moved.windows(2).skip(from).take_while(|pair| is_out(pair));
+    let to = from + out.count();
     if let Some(charges) = other.charges.get_mut(agent) {
         // A charge of a wait step is made by the step that takes its place.
         let now = charges
@@ -44,7 +69,12 @@ pub(crate) fn witness(
         now.dedup();
         *charges = now;
     }
-    whole.check(instance, &other)
+    Some(TakenOut {
+        plan: other,
+        steps,
+        from: from as u32,
+        to: to as u32,
+    })
 }
 
 /// The wait steps that are asked about.

@@ -52,6 +52,12 @@ impl WholePlan<'_> {
         Some(self.costs(check::costs(instance, plan)?, plan))
     }
 
+    /// A plan of the rest as one of the whole.
+    pub(crate) fn plan(self, rest: &Plan) -> Plan {
+        let whole = |(snapshot, _): (&Snapshot<'_>, _)| snapshot.whole(rest);
+        self.running.map_or_else(|| rest.clone(), whole)
+    }
+
     /// The rules that a plan of the rest breaks, in times of the whole. Of the
     /// moves of an agent during its breakdown only the first is listed: the others
     /// follow from it.
@@ -266,6 +272,7 @@ fn without_other(mut answer: ExplainAnswer) -> ExplainAnswer {
     answer.pays.clear();
     answer.core = None;
     answer.alone.clear();
+    answer.near = None;
     answer.repairs.clear();
     answer.further_repairs = 0;
     answer.exhaustive = false;

@@ -48,6 +48,9 @@ class Explanation(Record):
     #: What sets of robots alone need, proved: for a question about a cost of the whole plan, or
     #: where no small set of facts was found.
     alone: tuple[dict[str, Any], ...] = optional(default=())
+    #: What the plan shows, and small variations of it, where these layers are asked for.
+    here: dict[str, Any] | None = optional()
+    near: dict[str, Any] | None = optional()
     since: int | None = optional()
     plan: Plan | None = optional()
     valid: bool | None = optional()

@@ -46,6 +46,7 @@ fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
         at: None,
         objective: None,
         within: None,
+        layers: Vec::new(),
         limits: Limits::default(),
     });
     match serve(&request, &SilentHost) {

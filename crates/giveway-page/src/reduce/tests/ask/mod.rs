@@ -66,6 +66,8 @@ fn told(state: &State) -> ExplainAnswer {
         giveway: Version,
         question: question(),
         since: None,
+        here: None,
+        near: None,
         plan: None,
         verdict: Verdict::Costly,
         costs: Some(costs),

@@ -1,0 +1,166 @@
+//! The layer `near`: small variations of the plan that are as asked for, each passed by the
+//! judge, so that the cheapest bounds what the best other plan costs.
+//!
+//! `slides` moves the wait along the way; `walks` gives the agent another walk, all others as
+//! they are, or lets it go first, and repairs and improves what collides then.
+
+mod slides;
+mod walks;
+
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+use giveway_model::{Condition, Costs, Plan, check::costs, sorting::sort_by_key};
+
+use super::{
+    how::{differences, way},
+    layers::{Near, Variation, VariationKind},
+    verdict::FittingQuestion,
+    words,
+};
+use crate::{Limits, budget::Budget};
+
+/// Units of work of the whole layer.
+const WORK: u64 = 600_000;
+/// Alternatives of a contrast that are looked at.
+const MOST_WAYS: usize = 3;
+/// Variations that are told.
+const MOST_TOLD: usize = 24;
+
+/// Called each time more is known, with the cheapest plan where it became cheaper.
+pub(crate) type TellNear<'a> = &'a mut dyn FnMut(Near, Option<(Plan, Costs)>);
+
+/// Looks for variations, and tells of them as they are found: at the end at least once.
+pub(crate) fn near(case: &FittingQuestion, budget: &Rc<Budget>, tell: TellNear) {
+    let limits = Limits {
+        work: Some(WORK),
+        ..Limits::default()
+    };
+    let part = Rc::new(budget.part(limits));
+    let mut found = Variations {
+        case,
+        before: case.whole.costs(case.costs, case.plan),
+        plans: Vec::new(),
+        told: 0,
+        best: None,
+    };
+    for condition in case.conditions().take(MOST_WAYS) {
+        slides::slide(&mut found, condition);
+        found.tell(tell);
+        // (Where the budget is spent, what was found stands.)
+        let _ = walks::vary(&mut found, condition, &part, tell);
+    }
+    budget.absorb(&part);
+    found.told = 0;
+    found.tell(tell);
+}
+
+/// A plan that is offered as a variation.
+struct Offer<'a> {
+    kind: VariationKind,
+    /// The agent that is to go first, or is asked about.
+    agent: &'a str,
+    /// Of a swap: who waits.
+    other: Option<&'a str>,
+    plan: Plan,
+}
+
+/// The variations that were found.
+struct Variations<'a> {
+    case: &'a FittingQuestion<'a>,
+    /// The costs of the whole plan that is asked about.
+    before: Costs,
+    /// The cheapest first, with their costs in the order of the objective.
+    plans: Vec<(Vec<u32>, Variation)>,
+    /// How many were told.
+    told: usize,
+    /// The cheapest, in the times of the instance.
+    best: Option<(Plan, Costs)>,
+}
+
+impl Variations<'_> {
+    /// Takes a plan where the judge passes it and it is as asked for; its costs.
+    fn offer(&mut self, condition: &Condition, offer: Offer) -> Option<Costs> {
+        let case = self.case;
+        let own = costs(case.instance, &offer.plan)?;
+        let in_time = case.within.is_none_or(|within| own.makespan <= within);
+        if !in_time
+            || condition.holds(case.instance, &offer.plan) != Some(true)
+            || !case.whole.check(case.instance, &offer.plan).is_empty()
+        {
+            return None;
+        }
+        let vector = own.vector(case.objective());
+        let variation = self.variation(own, offer, vector.clone())?;
+        Some(variation)
+    }
+
+    fn variation(&mut self, own: Costs, offer: Offer, vector: Vec<u32>) -> Option<Costs> {
+        let case = self.case;
+        let pays = differences(case.instance, (case.plan, &offer.plan), case.whole);
+        let mut plan = case.whole.plan(&offer.plan);
+        let differs = |name: &String| pays.iter().any(|it| it.agent == *name);
+        plan.paths.retain(|name, _| differs(name));
+        plan.charges.retain(|name, _| differs(name));
+        plan.until.retain(|name, _| differs(name));
+        plan.slept.retain(|name, _| differs(name));
+        if pays.is_empty() || self.plans.iter().any(|(_, known)| known.plan == plan) {
+            return None;
+        }
+        let wait = slides::first_other_wait(case, offer.agent, &offer.plan);
+        let only_times = way(case.plan, offer.agent) == way(&offer.plan, offer.agent);
+        let kind = match offer.kind {
+            VariationKind::OtherWay if only_times && wait.is_some() => VariationKind::Elsewhere,
+            kind @ (VariationKind::Elsewhere
+            | VariationKind::OtherWay
+            | VariationKind::Swapped
+            | VariationKind::Others) => kind,
+        };
+        let wait = wait.filter(|_| kind == VariationKind::Elsewhere);
+        let mut variation = Variation {
+            kind,
+            other: offer.other.map(str::to_owned),
+            cell: wait.map(|(cell, _)| cell),
+            from: wait.map(|(_, from)| case.whole.time(from)),
+            costs: case.whole.costs(own, &offer.plan),
+            deltas: std::collections::BTreeMap::new(),
+            pays,
+            plan,
+            text: String::new(),
+        };
+        let (after, before) = (variation.costs, self.before);
+        let more = |cost| i64::from(after.get(cost)) - i64::from(before.get(cost));
+        let objective = case.objective().costs().iter();
+        variation.deltas = objective.map(|&cost| (cost, more(cost))).collect();
+        variation.text = words::variation(case, offer.agent, &variation, &before);
+        let is_better = |(_, best): &(Plan, Costs)| vector < best.vector(case.objective());
+        if self.best.as_ref().is_none_or(is_better) {
+            self.best = Some((offer.plan, own));
+        }
+        self.plans.push((vector, variation));
+        sort_by_key(&mut self.plans, |(vector, it)| {
+            (vector.clone(), it.kind, it.pays.len())
+        });
+        Some(own)
+    }
+
+    /// Tells what was found, where there is more than was told before.
+    fn tell(&mut self, tell: TellNear) {
+        let size = self.plans.len() + 1;
+        if self.told == size {
+            return;
+        }
+        self.told = size;
+        let mut cells = BTreeSet::new();
+        let each = self.plans.iter().map(|(_, variation)| variation);
+        // Of the times at a place the first is told.
+        let is_first = |it: &&Variation| it.cell.is_none_or(|cell| cells.insert(cell));
+        let mut near = Near {
+            variations: each.filter(is_first).take(MOST_TOLD).cloned().collect(),
+            at_most: self.plans.first().map(|(_, cheapest)| cheapest.costs),
+            words: String::new(),
+        };
+        near.words = words::near_sentence(&near);
+        tell(near, self.best.clone());
+    }
+}
