@@ -82,7 +82,7 @@ describe("asking why", () => {
     await told(playground, "Impossible");
     const repairs = playground.inspector.getByRole("listitem").filter({ hasText: "makespan 6, sum of costs 8" });
     await repairs.first().waitFor();
-    await playground.button("Solve").waitFor();
+    await playground.answered();
     await playground.picture("unsolvable");
     await repairs.first().getByRole("button").click();
     await playground.says(/^Optimal: makespan 6, sum of costs 8/);
@@ -98,7 +98,7 @@ describe("asking why", () => {
     for (const question of [/^Why does it take this long\?/, /^Why are there not fewer charges\?/]) {
       await ask(playground, question);
       await told(playground, /Necessary|Costly|Needless/);
-      await playground.button("Solve").waitFor();
+      await playground.answered();
       await playground.key("Escape");
       await eventually("the questions to be back", () => asks(playground, question).count());
     }

@@ -55,5 +55,5 @@ async function answered(playground) {
   await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
   await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
   await playground.button("Show the other plan").waitFor();
-  await playground.button("Solve").waitFor();
+  await playground.answered();
 }

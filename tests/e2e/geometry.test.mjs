@@ -237,7 +237,7 @@ async function why(playground) {
   await none(playground);
   await playground.inspector.getByRole("button", { name: /^Why is there no plan\?/ }).click();
   await playground.inspector.getByRole("listitem").filter({ hasText: "makespan 6, sum of costs 8" }).first().waitFor();
-  await playground.button("Solve").waitFor();
+  await playground.answered();
 }
 
 async function answered(playground) {
@@ -248,7 +248,7 @@ async function answered(playground) {
   await playground.inspector.getByRole("button", { name: /^A2\b/ }).first().click();
   await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
   await playground.button("Show the other plan").waitFor();
-  await playground.button("Solve").waitFor();
+  await playground.answered();
   await playground.press("Step forward");
   await playground.reaches(1);
 }

@@ -63,6 +63,11 @@ export class Playground {
     return this.page.getByRole("button", { name, exact: true });
   }
 
+  /** Waits until nothing more of an answer is looked for. */
+  async answered() {
+    await this.inspector.getByRole("button", { name: "Cancel", exact: true }).waitFor({ state: "detached", timeout: 60_000 });
+  }
+
   /** Presses the button of this name. */
   press(name) {
     return this.button(name).click();

@@ -3,12 +3,15 @@
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
-use giveway_model::{Cost, Objective, Question};
+use giveway_model::{Cell, Cost, Costs, Objective, Plan, Question};
 use giveway_proof::Report;
-use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest};
+use giveway_solve::explain::{
+    AgentDifference, Class, ExplainAnswer, ExplainRequest, Variation, Verdict,
+};
 use giveway_solve::{Limits, Reason, SolveAnswer, Stats, Status};
 
 use crate::Answer;
+use crate::ask::layers;
 use crate::changing::Changing;
 
 /// A question with its answer so far.
@@ -22,6 +25,9 @@ pub struct Asking {
     pub told: Option<Rc<ExplainAnswer>>,
     /// The other plan, as the board shows plans.
     pub other: Option<Rc<Answer>>,
+    /// The variation that is the other plan, by its place among those of the answer; `None`: the
+    /// best other plan that is known.
+    pub(crate) chosen: Option<usize>,
     /// Whether the other plan is shown: beside this one, or in its place where there is no room
     /// for two.
     pub shows_other: bool,
@@ -31,6 +37,8 @@ pub struct Asking {
     pub lit: Option<Lit>,
     /// Whether all robots that differ have a row, not only those that lose most.
     pub is_unfolded: bool,
+    /// Whether no group of facts is open.
+    pub(crate) folds_groups: bool,
     /// What came of checking its proof.
     pub report: Option<Rc<Report>>,
 }
@@ -42,8 +50,12 @@ pub enum Lit {
     Witness(usize),
     /// A fact of the minimal sets, by its index among the facts of all of them.
     Fact(usize),
+    /// A group of facts of the first set, by its index.
+    Group(usize),
     /// A robot that pays or gains, by its index.
     Robot(usize),
+    /// A cell that a sentence names.
+    Cell(Cell),
 }
 
 /// Questions.
@@ -51,7 +63,7 @@ pub enum Lit {
 pub enum AskAction {
     /// Ask a question about the plan that is shown.
     Ask(Question),
-    /// Ask the question again whose answer was cut off.
+    /// Go on with the question whose answer was cut off: what is known stands meanwhile.
     Again,
     /// Leave the question.
     Close,
@@ -59,6 +71,12 @@ pub enum AskAction {
     ShowOther(bool),
     /// Light something of the answer up on the map.
     Light(Option<Lit>),
+    /// Light a cell up that a sentence names, and bring it into view; or no longer.
+    GoTo(Cell),
+    /// Open a group of facts and light it up, or close it.
+    Group(usize),
+    /// Look at a variation as the other plan, by its place; `None`: at the best that is known.
+    Choose(Option<usize>),
     /// Give each robot that differs a row.
     Unfold,
     /// Make the other plan the plan.
@@ -83,10 +101,10 @@ impl Asking {
             plan: answer.plan().cloned(),
             changes: answer.course.as_ref().map(|course| course.changes.clone()),
             at: None,
+            layers: layers(&question),
             question,
             objective: answer.request.objective.clone(),
             within: answer.request.within,
-            layers: Vec::new(),
             limits,
         });
         Self::new(request, Rc::clone(answer))
@@ -99,10 +117,12 @@ impl Asking {
             about,
             told: None,
             other: None,
+            chosen: None,
             shows_other: false,
             time_before: None,
             lit: None,
             is_unfolded: false,
+            folds_groups: false,
             report: None,
         }
     }
@@ -139,25 +159,116 @@ impl Asking {
         would.chain(does.map(|violation| (None, violation)))
     }
 
-    /// Takes in what became known.
-    pub(crate) fn learn(&mut self, told: ExplainAnswer) {
-        let plan = |answer: &ExplainAnswer| answer.alternative.clone();
-        if self.told.as_deref().and_then(plan) != told.alternative {
-            self.other = self.plan_of(&told);
+    /// Takes in what became known. What stands is never taken back: neither parts that a search
+    /// before this one found, nor a cheaper other plan.
+    pub(crate) fn learn(&mut self, mut told: ExplainAnswer) {
+        if let Some(known) = self.told.as_deref() {
+            if parts_known(known) > parts_known(&told) {
+                return;
+            }
+            if told.verdict == Verdict::Unknown && self.is_cheaper(known, &told) {
+                told.alternative.clone_from(&known.alternative);
+                told.costs = known.costs;
+                told.deltas.clone_from(&known.deltas);
+                told.pays.clone_from(&known.pays);
+            }
+        }
+        let known = self.told.as_deref();
+        let is_new =
+            known.and_then(|known| known.alternative.as_ref()) != told.alternative.as_ref();
+        let chosen = self.variation().cloned();
+        self.chosen = chosen.and_then(|chosen| {
+            let mut all = told.near.iter().flat_map(|near| &near.variations);
+            all.position(|it| *it == chosen)
+        });
+        if is_new && self.chosen.is_none() {
+            self.other = self.best_other(&told);
             self.shows_other &= self.other.is_some();
         }
         self.told = Some(Rc::new(told));
     }
 
-    /// The other plan, with what is known of it: it is as good as proved where
-    /// it costs what a proved plan costs, or as little as is proved of all plans.
-    fn plan_of(&self, told: &ExplainAnswer) -> Option<Rc<Answer>> {
-        let (plan, costs) = (told.alternative.clone()?, told.costs?);
+    /// Whether the other plan of the first answer costs less.
+    fn is_cheaper(&self, one: &ExplainAnswer, other: &ExplainAnswer) -> bool {
+        let value = |answer: &ExplainAnswer| {
+            let costs = answer.costs.filter(|_| answer.alternative.is_some())?;
+            let objective = self.objective().costs().iter();
+            Some(objective.map(|&cost| costs.get(cost)).collect::<Vec<u32>>())
+        };
+        match (value(one), value(other)) {
+            (Some(one), Some(other)) => one < other,
+            (one, None) => one.is_some(),
+            (None, Some(_)) => false,
+        }
+    }
+
+    /// Whether the other plan costs less than the one asked about.
+    pub(crate) fn is_bettered(&self) -> bool {
+        let objective = self.objective().costs();
+        let value = |answer: &Answer| {
+            let costs = answer.solved.costs?;
+            let costs = objective.iter().map(|&cost| costs.get(cost));
+            Some(costs.collect::<Vec<u32>>())
+        };
+        let other = self.other.as_deref().and_then(value);
+        other.is_some_and(|other| value(&self.about).is_none_or(|this| other < this))
+    }
+
+    /// The variation that is looked at.
+    pub(crate) fn variation(&self) -> Option<&Variation> {
+        let near = self.told.as_deref()?.near.as_ref()?;
+        near.variations.get(self.chosen?)
+    }
+
+    /// The robots that the other plan moves differently.
+    pub(crate) fn pays(&self) -> &[AgentDifference] {
+        match (self.variation(), self.told.as_deref()) {
+            (Some(it), _) => &it.pays,
+            (None, Some(told)) => &told.pays,
+            (None, None) => &[],
+        }
+    }
+
+    /// Looks at a variation as the other plan, or at the best that is known.
+    pub(crate) fn choose(&mut self, variation: Option<usize>) {
+        let Some(told) = self.told.clone() else {
+            return;
+        };
+        self.chosen = variation;
+        let varied = self.variation().and_then(|it| {
+            let mut plan = self.about.plan()?.clone();
+            for (name, path) in &it.plan.paths {
+                plan.paths.insert(name.clone(), path.clone());
+                plan.charges.remove(name);
+            }
+            for (name, charges) in &it.plan.charges {
+                plan.charges.insert(name.clone(), charges.clone());
+            }
+            self.answer_of(plan, it.costs)
+        });
+        if varied.is_none() {
+            self.chosen = None;
+        }
+        self.other = varied.or_else(|| self.best_other(&told));
+        self.shows_other &= self.other.is_some();
+    }
+
+    /// The best other plan that is known.
+    fn best_other(&self, told: &ExplainAnswer) -> Option<Rc<Answer>> {
+        self.answer_of(told.alternative.clone()?, told.costs?)
+    }
+
+    /// Another plan, with what is known of it: it is as good as proved where it costs what a proved
+    /// plan costs, or as little as is proved of all plans.
+    fn answer_of(&self, plan: Plan, costs: Costs) -> Option<Rc<Answer>> {
         let solved = &self.about.solved;
-        let is_equal = told.deltas.values().all(|&delta| delta == 0);
-        let objective = self.objective();
+        let objective = self.objective().costs();
+        let before = solved.costs?;
+        let is_equal = objective
+            .iter()
+            .all(|&cost| before.get(cost) == costs.get(cost));
         let is_least = |cost: &Cost| solved.bounds.get(cost) == Some(&costs.get(*cost));
-        let is_least = objective.costs().iter().all(is_least);
+        let is_least = objective.iter().all(is_least);
         let status = match solved.status {
             Status::Optimal if is_equal => Status::Optimal,
             _ if is_least => Status::Optimal,
@@ -183,5 +294,17 @@ impl Asking {
             }
         };
         Some(Rc::new(answer))
+    }
+}
+
+/// How much stands of an answer: with a verdict all parts that are there; without one, whether what
+/// the plan shows and what is near it are there.
+fn parts_known(told: &ExplainAnswer) -> (bool, usize) {
+    let nearby = usize::from(told.here.is_some()) + usize::from(told.near.is_some());
+    match told.verdict {
+        Verdict::Unknown => (false, nearby),
+        Verdict::Needless | Verdict::Improvable | Verdict::Costly | Verdict::Necessary => {
+            (true, usize::MAX - told.pending.len())
+        }
     }
 }

@@ -222,12 +222,12 @@ pub fn ahead(state: &State) -> Option<Vec<usize>> {
     if let Some(Lit::Robot(agent)) = asking.lit {
         return Some(vec![agent]);
     }
-    let told = asking.told.as_deref()?;
-    if told.pays.is_empty() {
+    let pays = asking.pays();
+    if pays.is_empty() {
         return None;
     }
-    let names = told.pays.iter().map(|it| it.agent.as_str());
-    let names = names.chain(told.question.agent());
+    let names = pays.iter().map(|it| it.agent.as_str());
+    let names = names.chain(asking.question().agent());
     Some(names.filter_map(index).collect())
 }
 

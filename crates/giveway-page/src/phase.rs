@@ -50,6 +50,11 @@ impl State {
             Some(Task::Change(_)) => return Phase::Adapting,
             Some(Task::Look(_) | Task::Price(..)) | None => {}
         }
+        self.resting_phase()
+    }
+
+    /// Where the page would stand if nothing ran.
+    pub fn resting_phase(&self) -> Phase {
         match self.document.mode.activity {
             Activity::Changing(_) => return Phase::Changing,
             Activity::Comparing(_) => return Phase::Comparing,

@@ -2,10 +2,13 @@
 //! plan of one's own.
 
 use giveway_model::{Cell, tr};
-use giveway_page::board::{ConflictPlace, Later, Place, Reasons, Spot, Star, Try};
+use giveway_page::board::{
+    ConflictPlace, Instead, Later, Place, Reasons, Spot, SpotSign, Star, Try,
+};
 use yew::prelude::*;
 
 use super::layers::square;
+use giveway_page::board::CELL;
 
 /// A star with twelve points, and an exclamation mark.
 pub(crate) const STAR: &str = "M0-30 6.5-20 17.6-24.3 17-12.3 28.5-9.3 21 0 28.5 9.3 17 12.3 17.6 24.3 6.5 20 0 30-6.5 20-17.6 24.3-17 12.3-28.5 9.3-21 0-28.5-9.3-17-12.3-17.6-24.3-6.5-20Z";
@@ -37,8 +40,16 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
     };
     let spot = |spot: &Spot| {
         let (x, y) = spot.at;
+        let sign = match spot.sign {
+            SpotSign::Broken => None,
+            SpotSign::Needed => Some("needed"),
+            SpotSign::Helps => Some("helps"),
+        };
+        // Numbers stay as large on the screen, however small the cells are.
+        let scale = (22.0 * CELL / (props.cell_px.max(1.0) * 38.0)).max(1.0);
+        let scale = if sign.is_some() { scale } else { 1.0 };
         html! {
-            <g class={classes!("num", spot.is_lit.then_some("lit"))} transform={format!("translate({x} {y})")}>
+            <g class={classes!("num", sign, spot.is_lit.then_some("lit"))} transform={format!("translate({x} {y}) scale({scale:.2})")}>
                 <circle r="19" /><text y="7" text-anchor="middle">{ spot.number }</text>
             </g>
         }
@@ -62,6 +73,14 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
             </g>
         }
     };
+    let instead = |at: &Instead| {
+        let class = if at.is_first {
+            "instead first"
+        } else {
+            "instead"
+        };
+        square(class, at.cell, 16)
+    };
     let end = |end: &Try| {
         let (x, y) = end.at;
         html! {
@@ -74,6 +93,7 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
     html! {
         <g class="reasons-on" aria-hidden="true">
             { for props.reasons.tries.iter().map(end) }
+            { for props.reasons.instead.iter().map(instead) }
             { for props.reasons.places.iter().map(place) }
             { for props.reasons.spots.iter().map(spot) }
             { for props.reasons.frames.iter().map(|&cell: &Cell| square("vcell", cell, 4)) }

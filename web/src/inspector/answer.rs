@@ -2,12 +2,14 @@
 //! what excludes it, what would help.
 
 use giveway_model::tr;
-use giveway_page::ask::{Card, FactRow, Facts, Happening, Offered, Other};
+use giveway_page::ask::{Card, FactRow, Facts, Happening, Held, Offered, Other};
 use giveway_page::beside::DifferenceRow;
-use giveway_page::{Action, AskAction, Lit, PlayAction};
+use giveway_page::{Action, AskAction, Lit, PlayAction, SolveAction};
 use yew::prelude::*;
 
-use super::pays::{verdict_card, who_pays};
+use super::coming::{place, progress, verdict_place};
+use super::groups;
+use super::pays::{it_could, nobody_yet, verdict_card, who_pays};
 use crate::icon;
 
 /// What scrolls of the card.
@@ -18,6 +20,10 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
         .iter()
         .flat_map(|core| &core.facts)
         .any(|fact| fact.number.is_some());
+    let held = card
+        .coming
+        .as_ref()
+        .map_or_else(Held::default, |coming| coming.held);
     html! {
         <>
             <header class="qh">
@@ -25,15 +31,18 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     { icon::show("back") }{ tr!("Back") }
                 </button>
                 <h2>{ card.question.clone() }</h2>
+                if let Some(about) = &card.about { <p>{ about.clone() }</p> }
             </header>
             <div class="verdict-at" aria-live="polite">
-                if let Some(verdict) = &card.verdict { { verdict_card(verdict) } }
+                if let Some(verdict) = &card.verdict { { verdict_card(verdict, send) } }
             </div>
+            if held.verdict { { verdict_place() } }
             // Without a plan to show, what would help is the next step.
             if card.other.is_none() && !card.repairs.is_empty() {
                 { repairs(card, true, send) }
             }
-            if let Some(pays) = &card.pays { { who_pays(pays, send) } }
+            if !card.could.is_empty() { { it_could(&card.could, send) } }
+            if let Some(pays) = &card.pays { { who_pays(pays, held, send) } } else if held.rows > 0 { { nobody_yet(held) } }
             if !card.differences.is_empty() { { what_differs(&card.differences, send) } }
             if !is_numbered {
                 { for card.witness.iter().map(|(title, happenings)| witness(title, happenings, send)) }
@@ -45,9 +54,8 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if card.other.is_some() && !card.repairs.is_empty() {
                 { repairs(card, false, send) }
             }
-            if !card.pending.is_empty() {
-                <ul class="pending">{ for card.pending.iter().map(|line| html! { <li>{ *line }</li> }) }</ul>
-            }
+            if held.reasons { { place(tr!("Because of"), 3) } }
+            if held.help { { place(tr!("What would help"), 1) } }
             if let Some(standing) = &card.standing {
                 <p class="remark">{ standing.clone() }</p>
             }
@@ -55,32 +63,76 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     }
 }
 
-/// What stays at the foot of it: first to open the other plan, then to decide.
+/// What stays at the foot of it: how far it is, then to open the other plan, then to decide.
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
-    let Some(Other {
-        is_shown,
-        is_beside,
-    }) = card.other
-    else {
-        return html! {};
-    };
-    let show = |on: bool| send.reform(move |_| Action::Ask(AskAction::ShowOther(on)));
-    if !is_shown {
-        return html! {
-            <footer class="foot">
-                <button type="button" class="btn primary" title={tr!("Show the other plan (n)")} onclick={show(true)}>
-                    { icon::show("compare") }{ tr!("Show the other plan") }
-                </button>
-                <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::Close))}>{ tr!("Done") }</button>
-            </footer>
-        };
-    }
-    html! {
-        <footer class="foot">
-            <button type="button" class="btn primary" onclick={show(false)}>
-                if is_beside { { icon::show("check") }{ tr!("Keep this plan") } } else { { icon::show("compare") }{ tr!("Show this plan") } }
+    let button = |class: &'static str, icon: &'static str, word: &'static str, action: Action| {
+        html! {
+            <button type="button" class={classes!("btn", class)} onclick={send.reform(move |_| action.clone())}>
+                { icon::show(icon) }{ word }
             </button>
-            <button type="button" class="btn outline" onclick={send.reform(|_| Action::Ask(AskAction::TakeOther))}>{ tr!("Take the other plan") }</button>
+        }
+    };
+    let ask = |action: AskAction| Action::Ask(action);
+    let coming = card.coming.as_ref();
+    let is_looking = coming.is_some_and(|coming| coming.is_looking);
+    // One button leads: to decide, where there is something to decide on.
+    let has_next = card.other.is_some() || !card.repairs.is_empty();
+    let led = |leads: bool| if leads { "primary" } else { "outline" };
+    let other = card.other.map(|other| {
+        let show = |on: bool| ask(AskAction::ShowOther(on));
+        let take = ask(AskAction::TakeOther);
+        match other {
+            Other {
+                is_shown: true,
+                is_beside: true,
+                ..
+            } => html! {
+                <>
+                    { button("primary", "check", tr!("Keep this plan"), show(false)) }
+                    { button("outline", "compare", tr!("Take the other plan"), take) }
+                </>
+            },
+            Other { is_shown: true, .. } => html! {
+                <>
+                    { button("primary", "compare", tr!("Show this plan"), show(false)) }
+                    { button("outline", "check", tr!("Take the other plan"), take) }
+                </>
+            },
+            Other {
+                is_better: true, ..
+            } => html! {
+                <>
+                    { button("primary", "check", tr!("Take the better plan"), take) }
+                    { button("outline", "compare", tr!("Show it"), show(true)) }
+                </>
+            },
+            Other { .. } => button("primary", "compare", tr!("Show the other plan"), show(true)),
+        }
+    });
+    let is_shown = card.other.is_some_and(|other| other.is_shown);
+    let end = match coming {
+        Some(_) if is_looking => button(
+            led(!has_next),
+            "cancel",
+            tr!("Cancel"),
+            Action::Solve(SolveAction::Cancel),
+        ),
+        Some(_) if !is_shown => button(
+            led(!has_next),
+            "search",
+            tr!("Keep looking"),
+            ask(AskAction::Again),
+        ),
+        Some(_) | None if !is_shown => {
+            button("outline", "check", tr!("Done"), ask(AskAction::Close))
+        }
+        Some(_) | None => html! {},
+    };
+    html! {
+        <footer class={classes!("foot", coming.map(|_| "at-work"))}>
+            if let Some(coming) = coming { { progress(&card.question, coming) } }
+            { other }
+            { end }
         </footer>
     }
 }
@@ -170,7 +222,11 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ facts.title }</h3>
-            <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
+            if facts.groups.is_empty() {
+                <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
+            } else {
+                { groups::show(facts, send) }
+            }
             <p class="remark">{ facts.claim.clone() }</p>
         </section>
     }

@@ -48,7 +48,7 @@ pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
                 <p class="lead">{ column.lead }</p>
             </header>
             <div class="verdict-at" aria-live="polite">
-                if let Some(verdict) = &column.verdict { { verdict_card(verdict) } }
+                if let Some(verdict) = &column.verdict { { verdict_card(verdict, send) } }
             </div>
             if !column.losses.is_empty() {
                 <section>

@@ -6,10 +6,12 @@ mod answer;
 mod audit;
 mod cell;
 mod change;
+mod coming;
 mod edit;
 mod fleet;
 mod freedom;
 mod front;
+mod groups;
 mod inside;
 mod ledger;
 mod pays;
@@ -96,7 +98,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                     { rules::begin(state, send) }
                     { steer::begin(state, send) }
                     { change::begin(state, send) }
-                    { questions::show(&ask::offers(state), send) }
+                    { questions::show(&questions(state, false), send) }
                     { rules::question(state, send) }
                     if let Some(why) = ask::no_offers(state) {
                         <p class="remark">{ why }</p>
@@ -121,6 +123,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { agent::show(state, &facts, send) }
+                    { questions::show(&questions(state, true), send) }
                     { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
@@ -147,6 +150,13 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             None => whole::show(state, send),
         },
     }
+}
+
+/// The questions about this moment, which stand below what the robot does, or all others.
+fn questions(state: &State, is_now: bool) -> Vec<ask::Group> {
+    let mut groups = ask::offers(state);
+    groups.retain(|group| group.is_now == is_now);
+    groups
 }
 
 /// While the world changes nothing of the scene itself is edited.

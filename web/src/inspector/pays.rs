@@ -1,19 +1,21 @@
 //! The verdict of an answer, and the costs of two plans side by side.
 
 use giveway_model::tr;
-use giveway_page::ask::{CostRow, VerdictPart, WhoPays};
+use giveway_page::ask::{CostRow, CouldRow, Held, Piece, VerdictPart, WhoPays};
 use giveway_page::{Action, AskAction, Lit};
 use yew::prelude::*;
 
+use super::coming::rows;
 use crate::{glyph, icon};
 
 /// The title, the verdict in a word with how far it is proved, and the sentence.
-pub(super) fn verdict_card(verdict: &VerdictPart) -> Html {
+pub(super) fn verdict_card(verdict: &VerdictPart, send: &Callback<Action>) -> Html {
     let VerdictPart {
         badge,
         title,
         claim,
         sentence,
+        pieces,
     } = verdict;
     let is_titled = title != badge.word && !badge.word.is_empty();
     html! {
@@ -30,13 +32,60 @@ pub(super) fn verdict_card(verdict: &VerdictPart) -> Html {
                     <span class="vh">{ ". " }</span>
                 }
             </p>
-            <p class="vs">{ sentence.clone() }</p>
+            <p class="vs">
+                if pieces.is_empty() { { sentence.clone() } }
+                { for pieces.iter().map(|it| piece(it, send)) }
+            </p>
         </div>
     }
 }
 
+/// A piece of a sentence: a robot lights up, a cell is gone to.
+fn piece(piece: &Piece, send: &Callback<Action>) -> Html {
+    match piece {
+        Piece::Text(text) => html! { <>{ text.clone() }</> },
+        Piece::Robot(agent, name) => {
+            let lit = Some(Lit::Robot(*agent));
+            html! {
+                <button type="button" class="named" title={tr!("Show {name} on the board", name)}
+                    onclick={send.reform(move |_| Action::Ask(AskAction::Light(lit)))}>
+                    { glyph::show(*agent, "cost-glyph") }{ name.clone() }
+                </button>
+            }
+        }
+        Piece::Cell(cell) => {
+            let at = *cell;
+            html! {
+                <button type="button" class="named" title={tr!("Show {cell} on the board", cell)}
+                    onclick={send.reform(move |_| Action::Ask(AskAction::GoTo(at)))}>{ cell.to_string() }</button>
+            }
+        }
+    }
+}
+
+/// What could be done instead: pressing a row makes it the other plan.
+pub(super) fn it_could(could: &[CouldRow], send: &Callback<Action>) -> Html {
+    let row = |row: &CouldRow| {
+        let chosen = (!row.is_chosen).then_some(row.index);
+        html! {
+            <li><button type="button" class={classes!("could", row.is_chosen.then_some("on"))} aria-pressed={row.is_chosen.to_string()}
+                onclick={send.reform(move |_| Action::Ask(AskAction::Choose(chosen)))}>
+                { icon::show(row.icon) }
+                <span>{ row.text.clone() }<small>{ row.detail.clone() }</small></span>
+                <em class={classes!(row.is_costlier.then_some("worse"))}>{ row.difference.clone() }</em>
+            </button></li>
+        }
+    };
+    html! {
+        <section>
+            <h3>{ tr!("It could") }</h3>
+            <ul class="repairs">{ for could.iter().map(row) }</ul>
+        </section>
+    }
+}
+
 /// The costs of both plans, then a row for each robot that differs: pressing one lights it.
-pub(super) fn who_pays(pays: &WhoPays, send: &Callback<Action>) -> Html {
+pub(super) fn who_pays(pays: &WhoPays, held: Held, send: &Callback<Action>) -> Html {
     let cost = |row: &CostRow| {
         html! {
             <tr class="sum">
@@ -64,7 +113,7 @@ pub(super) fn who_pays(pays: &WhoPays, send: &Callback<Action>) -> Html {
             <h3>{ tr!("Who pays") }if let Some(summary) = &pays.summary { { " " }<small>{ summary.clone() }</small> }</h3>
             <table class="compare pays" aria-label={tr!("Who pays")}>
                 { head([tr!("This"), tr!("Other")]) }
-                <tbody>{ for pays.costs.iter().map(cost) }{ for pays.robots.iter().map(robot) }</tbody>
+                <tbody>{ for pays.costs.iter().map(cost) }{ for pays.robots.iter().map(robot) }{ rows(held) }</tbody>
             </table>
             if pays.hidden > 0 {
                 <button type="button" class="link unfold" onclick={send.reform(|_| Action::Ask(AskAction::Unfold))}>
@@ -72,6 +121,16 @@ pub(super) fn who_pays(pays: &WhoPays, send: &Callback<Action>) -> Html {
                 </button>
             }
             if let Some(rest) = &pays.rest { <p class="remark">{ rest.clone() }</p> }
+        </section>
+    }
+}
+
+/// The table before anybody is known to pay.
+pub(super) fn nobody_yet(held: Held) -> Html {
+    html! {
+        <section aria-hidden="true">
+            <h3>{ tr!("Who pays") }</h3>
+            <table class="compare pays">{ head([tr!("This"), tr!("Other")]) }<tbody>{ rows(held) }</tbody></table>
         </section>
     }
 }

@@ -7,7 +7,7 @@ use giveway_model::tr;
 use giveway_page::intake::Job;
 use giveway_page::lesson::Lesson;
 use giveway_page::rules::RuleAction;
-use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, ask, words};
+use giveway_page::{Action, ChangeAction, Phase, SolveAction, State, words};
 use yew::prelude::*;
 
 use crate::dialog::{Panel, use_dismiss};
@@ -135,17 +135,17 @@ fn objective_words(costs: &[&'static str]) -> String {
 /// The one next step is dark: to cancel, or to solve where nothing fits the
 /// scene.
 fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
-    let phase = state.phase();
+    // An answer on its way has its own button, at the foot of the inspector.
+    let phase = if state.is_looking() {
+        state.resting_phase()
+    } else {
+        state.phase()
+    };
+    let is_asked = state.document.mode.asking().is_some();
     let is_drawing = state.intake.job().is_some_and(Job::is_picture);
     let (class, title, action) = match phase {
         _ if is_drawing => (
             "primary",
-            tr!("Cancel (Escape)"),
-            Action::Solve(SolveAction::Cancel),
-        ),
-        // What is found already is the next step, and the rest may come.
-        Phase::Asking if ask::offers_next_step(state) => (
-            "outline",
             tr!("Cancel (Escape)"),
             Action::Solve(SolveAction::Cancel),
         ),
@@ -161,7 +161,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             Action::Solve(SolveAction::Cancel),
         ),
         Phase::Changing => (
-            "primary",
+            if is_asked { "outline" } else { "primary" },
             tr!("Find new plans (Ctrl Enter)"),
             Action::Change(ChangeAction::Adapt),
         ),
@@ -171,11 +171,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             Action::Change(ChangeAction::Adapt),
         ),
         Phase::Steering => {
-            let class = if state.document.mode.asking().is_some() {
-                "outline"
-            } else {
-                "primary"
-            };
+            let class = if is_asked { "outline" } else { "primary" };
             (
                 class,
                 tr!("Check my plan (Ctrl Enter)"),

@@ -6,6 +6,7 @@ use giveway_model::tr;
 use giveway_page::freedom::LaneMarks;
 use giveway_page::inside::{Note, Stop};
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
+use wasm_bindgen::JsCast;
 use yew::prelude::*;
 
 use super::same::Same;
@@ -43,8 +44,24 @@ pub(super) struct LaneRowProps {
     pub in_zone: Vec<(u32, u32)>,
     /// The times at which something is against the rules.
     pub bursts: Vec<f64>,
-    /// Takes the index of the lane that was picked.
-    pub pick: Callback<usize>,
+    /// Takes the index of the lane that was picked, and the time of the wait that was pressed.
+    pub pick: Callback<(usize, Option<u32>)>,
+}
+
+/// The time of the wait that was pressed; `None` where none was.
+fn wait_at(event: &MouseEvent, lanes: &[Lane], index: usize, axis: Axis) -> Option<u32> {
+    let row: web_sys::Element = event.current_target()?.dyn_into().ok()?;
+    let bars = row.query_selector(".bars").ok()??;
+    let left = bars.get_bounding_client_rect().left();
+    let x = f64::from(event.client_x()) - left;
+    let lane = lanes.get(index)?;
+    // A press of the keyboard has no place, and one on the name is left of it.
+    let mut waits = lane.steps.iter().filter(|step| step.way.stays());
+    let wait = waits.find(|step| {
+        let (begins, ends) = (f64::from(step.begins), f64::from(step.ends));
+        x > axis.x(0.0) && x >= axis.x(begins) && x < axis.x(ends)
+    })?;
+    Some(wait.begins)
 }
 
 /// One lane.
@@ -68,6 +85,11 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
             </div>
         }
     };
+    let onclick = {
+        let (lanes, axis) = (props.lanes.clone(), props.axis);
+        let pick = props.pick.clone();
+        move |event: MouseEvent| pick.emit((index, wait_at(&event, &lanes, index, axis)))
+    };
     let note = props.note.as_ref();
     let told = note.map(|note| format!("{}, {}", note.place, note.around));
     let title = match props.fate.as_ref().or(told.as_ref()) {
@@ -76,7 +98,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
     };
     html! {
         <div class={classes!("row", "lane", glyph::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"))}
-            onclick={props.pick.reform(move |_| index)}>
+            onclick={onclick}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
                 tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={title}>
                 if let Some(note) = note { <b class="no">{ note.place }</b> }

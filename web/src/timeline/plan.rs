@@ -8,7 +8,7 @@ use giveway_page::beside as compared;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, BoardAction, Selection, changing, freedom, table};
+use giveway_page::{Action, Answer, BoardAction, PlayAction, Selection, changing, freedom, table};
 use web_sys::Element;
 use yew::prelude::*;
 
@@ -129,13 +129,19 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     use_selected_in_view(selected, extent, &lanes_ref, &focus);
     let pick = {
         let (state, lanes) = (state.clone(), lanes.clone());
-        send.reform(move |index: usize| {
+        let send = send.clone();
+        Callback::from(move |(index, wait): (usize, Option<u32>)| {
             let again = selected_lane(&state, &lanes) == Some(index);
-            Action::Board(BoardAction::Select(if again {
+            let to = if again && wait.is_none() {
                 Selection::Nothing
             } else {
                 selection(&state, &lanes, index)
-            }))
+            };
+            send.emit(Action::Board(BoardAction::Select(to)));
+            // The question about a wait is there at its time.
+            if let Some(time) = wait {
+                send.emit(Action::Play(PlayAction::Seek(time)));
+            }
         })
     };
     let onkeydown = {

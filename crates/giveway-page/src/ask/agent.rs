@@ -18,10 +18,12 @@ pub(super) fn groups(answer: &Answer, agent: usize, time: u32) -> Vec<Group> {
         Group {
             title: tr!("Ask about this moment").to_owned(),
             offers: moment(answer, &lane, time),
+            is_now: true,
         },
         Group {
             title: tr!("Ask about {name}", name = lane.name),
             offers: whole(answer, &lane),
+            is_now: false,
         },
     ]
 }
@@ -43,8 +45,9 @@ fn moment(answer: &Answer, lane: &Lane, time: u32) -> Vec<Offer> {
             to: Some(to),
             at_least: None,
         };
-        offers.push(Offer::new("pause", wait).with(tr!("from time {from} to {to}", from, to)));
+        // Most waits can be made elsewhere: whom it lets pass tells more.
         offers.extend(gives_way(answer, lane, step));
+        offers.push(Offer::new("pause", wait).with(tr!("from time {from} to {to}", from, to)));
     }
     if lane.charges.contains(&time) {
         let charge = Question::Charge {
@@ -88,28 +91,38 @@ fn whole_wait(lane: &Lane, step: &Step) -> (u32, u32) {
     (from.map_or(step.begins, |s| s.begins), to)
 }
 
-/// Whether the agent waits for another to pass the cell that it goes to next.
+/// Whether the agent waits for another to pass the cell that it goes to next. It is asked of the far
+/// end of the stretch that both use: nearer, it could drive in and back, and nothing would be said.
 fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
-    let next = lane
-        .steps
-        .iter()
-        .find(|s| s.begins >= step.begins && !s.way.stays())?;
+    let mut further = lane.steps.iter();
+    let mut further = further
+        .by_ref()
+        .skip_while(|s| s.begins < step.begins || s.way.stays());
+    let next = further.next()?;
     let others = (0..answer.draft.agents().len()).filter(|&other| other != lane.agent);
     // Who was there last before the agent comes.
-    let last = others
+    let (_, other) = others
         .filter_map(|other| {
             let other = Lane::of(answer, other)?;
-            let visits = other.steps.iter().filter(|s| s.from == next.to);
-            let leaves = visits.map(|s| s.begins).filter(|&t| t < next.ends).max()?;
-            (leaves >= step.begins).then_some((leaves, other.name))
+            let leaves = leaves_before(&other, next)?;
+            (leaves >= step.begins).then_some((leaves, other))
         })
         .max_by_key(|(leaves, _)| *leaves)?;
+    let shared = further.filter(|s| !s.way.stays());
+    let shared = shared.take_while(|s| leaves_before(&other, s).is_some());
+    let far = shared.last().unwrap_or(next);
     let question = Question::Yield {
         agent: lane.name.clone(),
-        to: last.1,
-        at: next.to,
+        to: other.name,
+        at: far.to,
     };
     Some(Offer::new("question", question))
+}
+
+/// When an agent leaves a cell last before another one comes there by a step.
+fn leaves_before(other: &Lane, comes: &Step) -> Option<u32> {
+    let visits = other.steps.iter().filter(|s| s.from == comes.to);
+    visits.map(|s| s.begins).filter(|&t| t < comes.ends).max()
 }
 
 fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {

@@ -72,5 +72,6 @@ pub(super) fn groups(answer: &Answer, cell: Cell, asker: Option<usize>) -> Vec<G
     vec![Group {
         title: tr!("Ask about {cell}", cell = at(cell)),
         offers,
+        is_now: false,
     }]
 }

@@ -12,11 +12,12 @@ mod signs;
 
 pub(crate) use signs::other_causes;
 
-pub(crate) use card::numbers_facts;
 pub use card::{
-    Badge, Card, CostRow, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays, card,
-    closeness, offers_next_step,
+    Badge, Card, Coming, CostRow, CouldRow, FactRow, Facts, GroupMark, GroupRow, Happening, Held,
+    LayerStep, Offered, Other, Piece, Reached, VerdictPart, WhoPays, card, closeness,
+    offers_next_step,
 };
+pub(crate) use card::{group_mark, instead, layers, numbers_facts, numbers_groups};
 use giveway_model::{Question, question::fits, tr};
 
 use crate::{Answer, Selection, State, words};
@@ -58,6 +59,8 @@ pub struct Group {
     pub title: String,
     /// The questions, the likeliest first; never none.
     pub offers: Vec<Offer>,
+    /// Whether they are about what the selected robot does at the time shown.
+    pub is_now: bool,
 }
 
 /// Why nothing is offered, where a person would look for questions.

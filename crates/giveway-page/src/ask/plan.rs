@@ -41,6 +41,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
     vec![Group {
         title: tr!("Ask about the plan").to_owned(),
         offers,
+        is_now: false,
     }]
 }
 
@@ -52,5 +53,6 @@ pub(super) fn without(answer: &Answer) -> Vec<Group> {
     vec![Group {
         title: tr!("Ask").to_owned(),
         offers: vec![Offer::new("question", Question::Unsolvable)],
+        is_now: false,
     }]
 }

@@ -2,7 +2,7 @@
 
 use giveway_model::{Ground, tr};
 
-use super::{Cast, MarkKind, Track};
+use super::{Cast, MarkKind, SpotSign, Track};
 use crate::{State, freedom};
 
 /// A sign of the board.
@@ -14,6 +14,14 @@ pub enum Kind {
     Burst,
     /// Something is against the rules at another time.
     Later,
+    /// Robots would meet there, if only what is asked about changed.
+    WouldMeet,
+    /// The robot could wait there instead.
+    Instead,
+    /// A group of facts of which one would help if it went.
+    Helps,
+    /// A group of facts that is needed.
+    Needed,
     /// A fact that, with others, rules every plan out.
     Reason,
     /// The best try at a plan ends there.
@@ -67,6 +75,10 @@ impl Kind {
             Self::Problem => tr!("Problem: press to see it"),
             Self::Burst => tr!("Against a rule at this time"),
             Self::Later => tr!("Against a rule at another time"),
+            Self::WouldMeet => tr!("Would meet, with the time"),
+            Self::Instead => tr!("Could wait here as well"),
+            Self::Helps => tr!("a sign on the board" => "Would help"),
+            Self::Needed => tr!("a sign on the board" => "Needed"),
             Self::Reason => tr!("Part of the reason"),
             Self::Try => tr!("The best try ends here"),
             Self::Differs => tr!("Elsewhere in the other plan"),
@@ -104,7 +116,10 @@ impl Kind {
     pub const fn class(self) -> &'static str {
         match self {
             Self::Problem => "k-problem",
-            Self::Later => "k-later",
+            Self::Later | Self::WouldMeet => "k-later",
+            Self::Instead => "k-instead",
+            Self::Helps => "k-helps",
+            Self::Needed => "k-needed",
             Self::Reason => "k-core",
             Self::Burst | Self::Try => "k-burst",
             Self::Differs => "k-diff",
@@ -144,6 +159,8 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let moves = cast.tracks.iter().any(|track| track.arrival() > 0);
     let problems = state.document.draft.problems();
     let reasons = super::reasons(state);
+    let has_sign = |sign| reasons.spots.iter().any(|spot| spot.sign == sign);
+    let is_asked = state.document.mode.asking().is_some();
     let [zone, most, closed, lane] = super::rules::signs(state);
     let signs = [
         (
@@ -151,7 +168,11 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
             problems.iter().any(|problem| problem.cell.is_some()),
         ),
         (Kind::Burst, !reasons.bursts.is_empty()),
-        (Kind::Later, !reasons.later.is_empty()),
+        (Kind::Later, !reasons.later.is_empty() && !is_asked),
+        (Kind::WouldMeet, !reasons.later.is_empty() && is_asked),
+        (Kind::Instead, !reasons.instead.is_empty()),
+        (Kind::Helps, has_sign(SpotSign::Helps)),
+        (Kind::Needed, has_sign(SpotSign::Needed)),
         (Kind::Reason, !reasons.places.is_empty()),
         (Kind::Try, !reasons.tries.is_empty()),
         (Kind::Differs, state.beside().is_some()),

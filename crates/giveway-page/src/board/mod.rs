@@ -30,7 +30,7 @@ pub use legend::{Kind, legend};
 pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub(crate) use place::place_of;
-pub use reasons::{Later, Place, Reasons, Spot, Try, lit, reasons};
+pub use reasons::{Instead, Later, Place, Reasons, Spot, SpotSign, Try, lit, reasons};
 pub use rules::{
     LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, rule_shapes, rules_now,
 };

@@ -2,12 +2,12 @@
 
 use giveway_model::Cell;
 use giveway_model::check::Violation;
-use giveway_solve::explain::{Core, Fact, FactKind};
+use giveway_solve::explain::{Core, ExplainAnswer, Fact, FactGroupKind, FactKind};
 
 use super::place::last_cell;
 use super::star::middle;
 use super::{CELL, ConflictPlace};
-use crate::ask::numbers_facts;
+use crate::ask::{GroupMark, group_mark, instead, numbers_facts, numbers_groups};
 use crate::audit::Audit;
 use crate::steering::Steering;
 use crate::{Asking, Lit, MAX_SIDE, State};
@@ -21,6 +21,28 @@ pub struct Spot {
     pub at: (f64, f64),
     /// Whether it is lit up.
     pub is_lit: bool,
+    /// What it numbers.
+    pub sign: SpotSign,
+}
+
+/// What a number on the map stands beside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpotSign {
+    /// What would go wrong, or a fact that rules a plan out.
+    Broken,
+    /// Facts that are needed: a ring.
+    Needed,
+    /// Facts of which one would help if it went: full.
+    Helps,
+}
+
+/// A cell where the robot could wait instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instead {
+    /// The cell.
+    pub cell: Cell,
+    /// Whether it is the one that is told of.
+    pub is_first: bool,
 }
 
 /// A cell of a minimal set.
@@ -57,8 +79,11 @@ pub struct Reasons {
     pub bursts: Vec<ConflictPlace>,
     /// The cells where that is so in a plan of elsewhere.
     pub frames: Vec<Cell>,
-    /// What is against the rules of it at other times.
+    /// What is against the rules of it at other times; of an answer what would be, if only this
+    /// changed.
     pub later: Vec<Later>,
+    /// The cells where the robot could wait instead.
+    pub instead: Vec<Instead>,
 }
 
 /// A place where something is against the rules at another time.
@@ -74,6 +99,9 @@ pub struct Later {
 
 /// The numbers that are drawn: more would cover the map.
 const SPOTS: usize = 12;
+
+/// What would go wrong that is drawn beside the numbers of groups.
+const WOULD_BE: usize = 3;
 
 /// The places of the time shown that are drawn.
 const NOW: usize = 200;
@@ -107,6 +135,23 @@ pub fn reasons(state: &State) -> Reasons {
     if let Some(Lit::Robot(agent)) = asking.lit {
         reasons.agents = vec![agent];
     }
+    if let Some(Lit::Cell(cell)) = asking.lit {
+        reasons.places.push(Place { cell, is_lit: true });
+    }
+    let instead = instead(asking).into_iter();
+    reasons.instead = instead
+        .map(|(cell, is_first)| Instead { cell, is_first })
+        .collect();
+    if numbers_groups(asking) {
+        in_groups(&mut reasons, asking, told, state);
+        return reasons;
+    }
+    if told.witness.is_empty() {
+        would_be(
+            &mut reasons,
+            told.here.iter().flat_map(|here| &here.violations),
+        );
+    }
     let is_numbered = numbers_facts(asking);
     for (index, (_, violation)) in asking.violations().enumerate().take(SPOTS) {
         match place(violation) {
@@ -121,6 +166,7 @@ pub fn reasons(state: &State) -> Reasons {
                 number: index + 1,
                 at: apart(&reasons.spots, in_corner(violation, at)),
                 is_lit: asking.lit == Some(Lit::Witness(index)),
+                sign: SpotSign::Broken,
             }),
         }
     }
@@ -136,6 +182,7 @@ pub fn reasons(state: &State) -> Reasons {
                 number: index + 1,
                 at: apart(&reasons.spots, at),
                 is_lit,
+                sign: SpotSign::Broken,
             });
         }
         if is_lit && fact.kind != FactKind::Obstacle {
@@ -148,6 +195,57 @@ pub fn reasons(state: &State) -> Reasons {
         }
     }
     reasons
+}
+
+/// The first things that would go wrong if only this changed, with their times.
+fn would_be<'a>(reasons: &mut Reasons, violations: impl Iterator<Item = &'a Violation>) {
+    for violation in violations.take(WOULD_BE) {
+        if let Some(at) = place(violation) {
+            reasons.later.push(Later {
+                at,
+                is_cell: violation.cell.is_some(),
+                time: violation.time,
+            });
+        }
+    }
+}
+
+/// Numbers of the groups of facts; the cells and robots of the one that is lit up.
+fn in_groups(reasons: &mut Reasons, asking: &Asking, told: &ExplainAnswer, state: &State) {
+    let violations = asking.violations().map(|(_, violation)| violation);
+    would_be(reasons, violations);
+    let Some(core) = &told.core else { return };
+    let agents = state.world().agents();
+    let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
+    for (number, group) in core.groups.iter().enumerate() {
+        let is_lit = asking.lit == Some(Lit::Group(number));
+        let middle_of = |cells: &[Cell]| cells.get(cells.len() / 2).copied();
+        let robot = group.agents.first().and_then(index);
+        let at = match (middle_of(&group.cells), robot) {
+            (Some(cell), _) => Some(middle(cell)),
+            (None, Some(robot)) if group.kind == FactGroupKind::Agent => {
+                super::place_of(state, robot).map(|cell| corner(middle(cell)))
+            }
+            (None, _) => None,
+        };
+        if let Some(at) = at {
+            reasons.spots.push(Spot {
+                number: number + 1,
+                at: apart(&reasons.spots, at),
+                is_lit,
+                sign: match group_mark(group) {
+                    GroupMark::Helps => SpotSign::Helps,
+                    GroupMark::Needed | GroupMark::Open => SpotSign::Needed,
+                },
+            });
+        }
+        if is_lit {
+            let cells = group.cells.iter();
+            let cells = cells.map(|&cell| Place { cell, is_lit });
+            reasons.places.extend(cells);
+            reasons.agents = group.agents.iter().filter_map(index).collect();
+        }
+    }
 }
 
 /// The robots that the row or the fact that is lit up is about, by their indices; all others are

@@ -113,6 +113,7 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             freedom::is_offered(state).then_some(Action::Freedom(show))
         }
         "p" | "P" => Some(present::BEGIN),
+        name if group(name, state).is_some() => group(name, state),
         name if shape(name, state).is_some() => {
             shape(name, state).map(|shape| Action::Board(BoardAction::PickShape(shape)))
         }
@@ -121,6 +122,22 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     // Before a room, what else a key does cannot be seen.
     let action = action.filter(|action| !is_presented || matches!(action, Action::Play(_)));
     action.map(Command::Act)
+}
+
+/// The group of facts that a digit lights up, while an answer has groups and nothing is drawn; 0
+/// lights nothing.
+fn group(name: &str, state: &State) -> Option<Action> {
+    let asking = state.document.mode.asking()?;
+    let groups = asking.told.as_deref()?.core.as_ref()?.groups.len();
+    if state.view.tool != Tool::Select {
+        return None;
+    }
+    let number: usize = name.parse().ok()?;
+    let action = match number.checked_sub(1) {
+        None => AskAction::Light(None),
+        Some(index) => AskAction::Group(index),
+    };
+    (number <= groups && groups > 0).then_some(Action::Ask(action))
 }
 
 /// The next difference of two plans, or the one before; it opens the other plan of an answer.

@@ -85,6 +85,7 @@ const fn part(
         },
         title,
         claim: None,
+        pieces: Vec::new(),
         sentence,
     }
 }

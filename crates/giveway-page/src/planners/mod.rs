@@ -116,6 +116,27 @@ impl Runs {
     }
 }
 
+/// What is proved of the first cost of every plan of a scene, whoever proved it: no plan has less.
+/// It belongs to the scene, and stands beside the plan of any planner. `None` where nothing is
+/// proved.
+pub(crate) fn least(document: &Document) -> Option<u32> {
+    let &first = document.draft.scene().objective.costs().first()?;
+    let runs = Runs::fresh(document)?;
+    let planned = runs.planned.iter().filter_map(|run| match &run.end {
+        End::Plan(answer) => Some(answer),
+        End::Nothing(_) => None,
+    });
+    // What holds up to a makespan alone is no bound of all plans.
+    let is_of_all = |answer: &&Rc<Answer>| match &answer.solved.reason {
+        Some(Reason::LeastWithin { .. }) => false,
+        Some(_) | None => answer.by.is_some() || answer.solved.reach.is_complete(),
+    };
+    let known = runs.search.iter().chain(planned).filter(is_of_all);
+    known
+        .filter_map(|answer| answer.solved.bounds.get(&first).copied())
+        .max()
+}
+
 /// The plan of a planner as an answer; `None` without one.
 ///
 /// Optimal is what no plan can better in any cost: so only where the objective is

@@ -25,8 +25,8 @@ pub fn promise(planner: Planner) -> &'static str {
 }
 
 /// A plan of a planner, in the status: `PIBT found a plan: makespan 4.` and what is
-/// known of it.
-pub(crate) fn sentence(planner: Planner, answer: &Answer) -> String {
+/// known of it, or of all plans of the scene: `least`, the proved bound of the first cost.
+pub(crate) fn sentence(planner: Planner, answer: &Answer, least: Option<u32>) -> String {
     let objective = &answer.draft.scene().objective;
     let costs = answer.solved.costs.unwrap_or_default();
     let costs = values(objective.costs(), &costs);
@@ -34,10 +34,16 @@ pub(crate) fn sentence(planner: Planner, answer: &Answer) -> String {
     if answer.solved.status == Status::Optimal {
         return tr!("{title} found the best plan: {costs}.", title, costs);
     }
-    let known = match (smallest(answer), &answer.solved.reason) {
-        (Some(cost), _) => tr!("No plan has a smaller {cost}.", cost),
-        (None, Some(given)) => ended(&giveway_solve::words::reason(given)),
-        (None, None) => MAY_BE_BETTER.text().to_owned(),
+    let proved = objective.costs().first().zip(least);
+    let known = match (smallest(answer), &answer.solved.reason, proved) {
+        (Some(cost), ..) => tr!("No plan has a smaller {cost}.", cost),
+        (None, Some(given), _) => ended(&giveway_solve::words::reason(given)),
+        (None, None, Some((&first, least))) => tr!(
+            "Proved: no plan has a {cost} under {least}.",
+            cost = name(first),
+            least
+        ),
+        (None, None, None) => MAY_BE_BETTER.text().to_owned(),
     };
     tr!(
         "{title} found a plan: {costs}. {known}",

@@ -10,7 +10,7 @@ use giveway_solve::{Limits, Reach, SolveAnswer, Stats, Status};
 
 use super::document::{amend, edit_scene, put};
 use super::play::seek;
-use super::{solve, stroke};
+use super::{find, solve, stroke};
 use crate::asking::{Asking, Lit};
 use crate::edit::repair;
 use crate::{Activity, Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
@@ -20,13 +20,30 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
         AskAction::Ask(question) => ask(state, &question),
         AskAction::Again => {
             let asking = state.document.mode.asking();
-            if let Some(question) = asking.map(|asking| asking.question().clone()) {
-                ask(state, &question);
+            if let Some(before) = asking.cloned() {
+                go_on(state, &before);
             }
         }
         AskAction::Close => close(state),
         AskAction::ShowOther(on) => show_other(state, on),
         AskAction::Light(lit) => light(state, lit),
+        AskAction::GoTo(cell) => {
+            let lit = Some(Lit::Cell(cell));
+            let is_lit = state.document.mode.asking().is_some_and(|it| it.lit == lit);
+            light(state, lit.filter(|_| !is_lit));
+            if !is_lit {
+                find::show(state, cell);
+            }
+        }
+        AskAction::Group(index) => change(state, |asking| {
+            let lit = Some(Lit::Group(index));
+            // The first one is open before any was pressed.
+            let is_first = index == 0 && asking.lit.is_none() && !asking.folds_groups;
+            let closes = asking.lit == lit || is_first;
+            asking.lit = lit.filter(|_| !closes);
+            asking.folds_groups = closes;
+        }),
+        AskAction::Choose(variation) => change(state, |asking| asking.choose(variation)),
         AskAction::Unfold => change(state, |asking| asking.is_unfolded = true),
         AskAction::TakeOther => take_other(state),
         AskAction::TakeRepair(index) => take_repair(state, index),
@@ -88,6 +105,19 @@ pub(super) fn ask(state: &mut State, question: &Question) {
     state.view.tab = Tab::Inspector;
     set_question(state, Some(Rc::new(asking)));
     state.work.start(Task::Explain(request));
+}
+
+/// Asks the same again: what is known stands until more is.
+fn go_on(state: &mut State, before: &Rc<Asking>) {
+    ask(state, before.question());
+    change(state, |asking| {
+        if asking.question() == before.question() && Rc::ptr_eq(&asking.about, &before.about) {
+            *asking = Asking {
+                request: Rc::clone(&asking.request),
+                ..(**before).clone()
+            };
+        }
+    });
 }
 
 pub(super) fn refuse(state: &mut State, sentence: impl Into<Sentence>) {

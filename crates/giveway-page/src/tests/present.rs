@@ -130,7 +130,7 @@ fn the_verdict_comes_first() {
     let said = third(&asked).unwrap();
     assert_eq!(said.question, ask::card(&asked).unwrap().question);
     assert_eq!(said.verdict, None);
-    assert_eq!(said.text, "Looking for the verdict");
+    assert_eq!(said.text, "Looking at the plan");
     let told = after(&asked_and_answered(), [BEGIN]);
     let said = third(&told).unwrap();
     assert_eq!(said.verdict, Some("It would cost more."));

@@ -1,8 +1,13 @@
 //! The answer to a question, as the inspector shows it.
 
+mod about;
+mod coming;
 mod costs;
+mod could;
+mod groups;
 mod parts;
 mod pays;
+mod pieces;
 mod verdict;
 
 use giveway_model::{Question, tr};
@@ -11,12 +16,21 @@ use giveway_solve::explain::{
 };
 use giveway_solve::words::reach;
 
-use super::signs::{edit_icon, fact_icon, pending};
+use super::signs::{edit_icon, fact_icon};
 use crate::{Asking, Lit, State, beside, words};
 
+pub(crate) use coming::layers;
+pub use coming::{Coming, Held, LayerStep, Reached};
 pub use costs::CostRow;
+pub use could::CouldRow;
+pub(crate) use could::instead;
+pub use groups::{GroupMark, GroupRow};
+pub(crate) use groups::{mark as group_mark, numbers_groups};
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
+pub use pieces::Piece;
 
+use coming::coming;
+use could::could;
 use pays::pays;
 use verdict::verdict;
 
@@ -28,27 +42,30 @@ pub fn card(state: &State) -> Option<Card> {
     let asking = state.document.mode.asking()?;
     let mut card = Card {
         question: words::question(asking.question()),
+        about: about::about(asking),
         verdict: None,
         pays: None,
+        could: could(asking),
         other: None,
         differences: beside::rows(state),
         witness: Vec::new(),
         cores: Vec::new(),
         repairs: Vec::new(),
         more_repairs: None,
-        pending: Vec::new(),
+        coming: None,
         standing: None,
     };
     let Some(told) = asking.told.as_deref() else {
-        card.pending.push(tr!("Looking for the verdict"));
+        card.coming = coming(state, asking, &card);
         return Some(card);
     };
-    card.verdict = Some(verdict(state, asking, told));
+    card.verdict = verdict(state, asking, told);
     if let Some(other) = &asking.other {
         card.pays = pays(asking, other);
         card.other = Some(Other {
             is_shown: asking.shows_other,
             is_beside: state.view.is_wide,
+            is_better: asking.is_bettered(),
         });
     }
     card.witness = witness(asking);
@@ -72,11 +89,10 @@ pub fn card(state: &State) -> Option<Card> {
     card.more_repairs = (told.further_repairs > 0 && !card.repairs.is_empty()).then(|| {
         tr!("{n} more would help, too." | "{n} more would help, too." % told.further_repairs)
     });
-    if state.is_looking() {
-        card.pending = told.pending.iter().map(|&part| pending(part)).collect();
-    } else {
+    if !state.is_looking() {
         card.standing = reach(told.reach);
     }
+    card.coming = coming(state, asking, &card);
     Some(card)
 }
 
@@ -87,7 +103,7 @@ fn witness(asking: &Asking) -> Vec<(String, Vec<Happening>)> {
     classes
         .map(|violations| {
             let happenings = violations.iter().map(|&(index, (_, violation))| Happening {
-                number: (!numbers_facts(asking)).then_some(index + 1),
+                number: (!numbers_facts(asking) && !numbers_groups(asking)).then_some(index + 1),
                 index,
                 text: violation.message.clone(),
                 time: violation.time,
@@ -109,6 +125,11 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     sets.map(|(set, core)| Facts {
         title: facts_title(told.verdict, core, set > 0),
         claim: facts_claim(&told.question, told.verdict, core),
+        groups: if set == 0 {
+            groups::groups(asking, core)
+        } else {
+            Vec::new()
+        },
         facts: core
             .facts
             .iter()

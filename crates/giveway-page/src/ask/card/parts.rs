@@ -1,6 +1,10 @@
 //! The parts of the card of an answer.
 
 use super::CostRow;
+use super::coming::Coming;
+use super::could::CouldRow;
+use super::groups::GroupRow;
+use super::pieces::Piece;
 use crate::beside::DifferenceRow;
 
 /// What is said, part by part, as far as it is known.
@@ -8,10 +12,14 @@ use crate::beside::DifferenceRow;
 pub struct Card {
     /// The question.
     pub question: String,
+    /// Who does what it is about, where and when; nothing where that is not one thing.
+    pub about: Option<String>,
     /// The verdict; nothing before it is there.
     pub verdict: Option<VerdictPart>,
     /// Costs and arrivals of both plans; nothing without an other plan.
     pub pays: Option<WhoPays>,
+    /// What could be done instead, a row for each way that was looked at.
+    pub could: Vec<CouldRow>,
     /// Whether the other plan can be shown and taken, and whether it is shown.
     pub other: Option<Other>,
     /// Where the two plans differ, while both are shown.
@@ -24,8 +32,8 @@ pub struct Card {
     pub repairs: Vec<Offered>,
     /// How many more would help, in words.
     pub more_repairs: Option<String>,
-    /// What is still looked for, as quiet lines.
-    pub pending: Vec<&'static str>,
+    /// How far it has come; nothing where all of it stands and is proved.
+    pub coming: Option<Coming>,
     /// What the claim rests on, once the answer is whole.
     pub standing: Option<String>,
 }
@@ -41,6 +49,8 @@ pub struct VerdictPart {
     pub claim: Option<String>,
     /// One sentence that names who arrives later.
     pub sentence: String,
+    /// The sentence cut at the robots and cells that it names; empty where nothing is pressed.
+    pub pieces: Vec<Piece>,
 }
 
 /// Who pays for the other plan.
@@ -78,6 +88,8 @@ pub struct Other {
     pub is_shown: bool,
     /// Whether it is shown beside this one.
     pub is_beside: bool,
+    /// Whether it costs less than this one.
+    pub is_better: bool,
 }
 
 /// Something that would go wrong.
@@ -102,6 +114,8 @@ pub struct Facts {
     pub title: &'static str,
     /// What is claimed of it.
     pub claim: String,
+    /// Its groups, the deciding one first; none where there are few facts.
+    pub groups: Vec<GroupRow>,
     /// The facts.
     pub facts: Vec<FactRow>,
 }

@@ -7,6 +7,7 @@ use giveway_model::{Cost, Question, tr};
 
 use super::CostRow;
 use super::parts::WhoPays;
+use super::verdict::is_coming;
 use crate::timeline::Lane;
 use crate::{Answer, Asking, Lit, words};
 
@@ -31,7 +32,12 @@ pub(super) fn pays(asking: &Asking, other: &Answer) -> Option<WhoPays> {
     sort_by_key(&mut robots, order);
     let all = this.agents().len();
     let moved = robots.len();
-    let summary = summary(&robots, this);
+    let told = asking.told.as_deref();
+    let summary = if told.is_some_and(is_coming) && asking.chosen.is_none() {
+        Some(tr!("a plan" => "the best found so far").to_owned())
+    } else {
+        summary(&robots, this)
+    };
     let hidden = if asking.is_unfolded {
         0
     } else {
@@ -46,7 +52,7 @@ pub(super) fn pays(asking: &Asking, other: &Answer) -> Option<WhoPays> {
         rest: rest((all - moved.min(all)) as u32, moved),
         lit: match asking.lit {
             Some(Lit::Robot(agent)) => Some(agent),
-            Some(Lit::Witness(_) | Lit::Fact(_)) | None => None,
+            Some(Lit::Witness(_) | Lit::Fact(_) | Lit::Group(_) | Lit::Cell(_)) | None => None,
         },
     })
 }
@@ -79,11 +85,7 @@ const fn asked_about(question: &Question) -> Option<Cost> {
 /// The robots that differ. Those that only drive differently have the same arrival twice.
 fn robots(asking: &Asking, other: &Answer) -> Vec<CostRow> {
     let this = &asking.about;
-    let told = asking.told.as_deref();
-    let moves_differently = |name: &str| {
-        let mut differing = told.into_iter().flat_map(|told| &told.pays);
-        differing.any(|it| it.agent == name)
-    };
+    let moves_differently = |name: &str| asking.pays().iter().any(|it| it.agent == name);
     let mut rows = Vec::new();
     for (agent, who) in this.agents().iter().enumerate() {
         let arrival = |answer| Lane::of(answer, agent).map(|lane| lane.arrival);

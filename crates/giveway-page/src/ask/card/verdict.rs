@@ -2,25 +2,67 @@
 //! arrives later.
 
 use giveway_model::{Cost, Question, check, condition::Clause, tr};
-use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict};
+use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Part, Verdict};
 
 use super::parts::VerdictPart;
+use super::pieces::pieces;
 use crate::ask::signs::{badge, verdict_words};
-use crate::{Asking, State};
+use crate::{Asking, State, words};
 
 /// The most words of the sentence, where it is made here.
 const MOST_WORDS: usize = 30;
 
-/// The verdict as far as it is known.
-pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> VerdictPart {
-    let badge = badge(told);
-    let title = title(asking, told).unwrap_or_else(|| badge.word.to_owned());
-    let sentence = sentence(asking, told);
-    VerdictPart {
+/// The verdict as far as it is known; nothing before anything is.
+pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> Option<VerdictPart> {
+    let is_coming = is_coming(told);
+    if is_coming && told.words.is_empty() && told.alternative.is_none() {
+        return None;
+    }
+    let mut badge = badge(told);
+    if is_coming {
+        // Nothing is unknown for good yet.
+        badge.word = "";
+    }
+    let title = title(asking, told);
+    let title = title.or_else(|| is_coming.then(|| tr!("What this plan shows").to_owned()));
+    let title = title.unwrap_or_else(|| badge.word.to_owned());
+    let sentence = if is_coming {
+        Some(so_far(asking, told))
+    } else {
+        sentence(asking, told)
+    };
+    let sentence = sentence.unwrap_or_else(|| verdict_words(state, asking, told).into_owned());
+    Some(VerdictPart {
         badge,
         title,
         claim: claim(told),
-        sentence: sentence.unwrap_or_else(|| verdict_words(state, asking, told).into_owned()),
+        pieces: pieces(&sentence, asking.about.agents()),
+        sentence,
+    })
+}
+
+/// Whether the verdict is still looked for, or the search was stopped before it.
+pub(super) fn is_coming(told: &ExplainAnswer) -> bool {
+    told.verdict == Verdict::Unknown && told.pending.contains(&Part::Verdict)
+}
+
+/// What the plan shows, and who is late in the best plan found so far.
+fn so_far(asking: &Asking, told: &ExplainAnswer) -> String {
+    let here = told.here.as_ref().map(|here| here.words.as_str());
+    let late = asking.other.as_ref().and_then(|_| late(told).next());
+    let late = late.map(|late| {
+        tr!(
+            "{name} would arrive at {other} or sooner, not at {arrival}.",
+            name = late.agent,
+            other = late.other,
+            arrival = late.arrival
+        )
+    });
+    match (here, late) {
+        (Some(here), Some(late)) => format!("{here} {late}"),
+        (Some(here), None) => here.to_owned(),
+        (None, Some(late)) => late,
+        (None, None) => told.words.clone(),
     }
 }
 
@@ -38,6 +80,9 @@ fn claim(told: &ExplainAnswer) -> Option<String> {
         Verdict::Needless => Some(tr!("costs" => "same cost").to_owned()),
         // The other plan is there to be seen.
         Verdict::Improvable => None,
+        Verdict::Unknown if told.pending.contains(&Part::Verdict) => {
+            Some(tr!("an answer" => "so far").to_owned())
+        }
         Verdict::Unknown => told
             .costs
             .map(|_| tr!("an answer" => "not proved").to_owned()),
@@ -80,19 +125,34 @@ fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
         }
         Verdict::Necessary => Some(tr!("No plan does otherwise").to_owned()),
         // The other plan is the best one that was found: another may cost less.
-        Verdict::Unknown => {
-            asking.other.as_ref()?;
-            let (cost, n) = first_difference(asking, told, |delta| delta > 0)?;
-            Some(match cost {
-                Cost::Charges => tr!("At most {n} charge more" | "At most {n} charges more" % n),
-                Cost::Moves => tr!("At most {n} move more" | "At most {n} moves more" % n),
-                Cost::Penalty => tr!("At most a penalty of {n} more", n),
-                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
-                    tr!("At most {n} step more" | "At most {n} steps more" % n)
-                }
-            })
-        }
+        Verdict::Unknown => at_most(asking, told),
     }
+}
+
+/// What the best other plan that was found costs, with the name of the cost.
+fn at_most(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
+    asking.other.as_ref()?;
+    if told.deltas.values().all(|&delta| delta == 0) {
+        return Some(tr!("It costs no more").to_owned());
+    }
+    if let Some((cost, n)) = first_difference(asking, told, |delta| delta < 0) {
+        let cost = words::name(cost);
+        return Some(tr!("A better plan: {cost} {n} less", cost, n));
+    }
+    let (cost, n) = first_difference(asking, told, |delta| delta > 0)?;
+    Some(match cost {
+        Cost::Charges => tr!("At most {n} charge more" | "At most {n} charges more" % n),
+        Cost::Moves => tr!("At most {n} move more" | "At most {n} moves more" % n),
+        Cost::Penalty => tr!("At most a penalty of {n} more", n),
+        Cost::Waits => tr!("At most {n} wait more" | "At most {n} waits more" % n),
+        Cost::Makespan => {
+            tr!("At most {n} step more until all are done"
+                | "At most {n} steps more until all are done" % n)
+        }
+        Cost::SumOfCosts => {
+            tr!("At most {n} step more in all" | "At most {n} steps more in all" % n)
+        }
+    })
 }
 
 /// The first cost of the objective that differs so, and by how much.

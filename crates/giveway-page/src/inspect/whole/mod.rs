@@ -11,7 +11,7 @@ use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
 use crate::words::values;
-use crate::{Answer, Size, State};
+use crate::{Answer, Size, State, planners};
 
 pub use costs::CostFacts;
 
@@ -68,6 +68,7 @@ pub fn whole(state: &State) -> Whole {
         whole.work = Some(work_done(run.size)).filter(|text| !text.is_empty());
     } else if let Some(answer) = &state.document.answer {
         tell(&mut whole, answer);
+        bound(&mut whole, answer, planners::least(&state.document));
         if state.document.own_front().is_some() {
             // What is claimed is claimed of the front, and said with it.
             whole.claims.clear();
@@ -82,6 +83,18 @@ pub fn whole(state: &State) -> Whole {
         }
     }
     whole
+}
+
+/// What is proved of the first cost of all plans of the scene stands beside each plan of it.
+fn bound(whole: &mut Whole, answer: &Answer, least: Option<u32>) {
+    let first = answer.request.scene.objective.costs().first();
+    let facts = whole
+        .costs
+        .iter_mut()
+        .find(|facts| Some(&facts.cost) == first);
+    if let (Some(facts), Some(least)) = (facts, least) {
+        facts.at_least = Some(facts.at_least.map_or(least, |own| own.max(least)));
+    }
 }
 
 fn tell(whole: &mut Whole, answer: &Answer) {

@@ -71,6 +71,10 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         Activity::Editing | Activity::Auditing(_) => {}
     }
     if let Some(at) = state.document.changed_last() {
+        if how.planner.is_none() && how.arrival == Arrival::Step {
+            // This plan is improved, in the world around it.
+            return ask::ask(state, &Question::Plan);
+        }
         // It would put a plan of the scene before the changes in the place of this one.
         return ask::refuse(
             state,
@@ -89,6 +93,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
         );
         return;
     }
+    let better = better_beside(state);
     ask::close(state);
     state.view.notice = None;
     state.view.playback.playing = false;
@@ -101,7 +106,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     let audit = document.mode.audit();
     let known = match audit {
         Some(audit) => audit.ours.as_ref(),
-        None => document.fresh_answer(),
+        None => better.as_ref().or(document.fresh_answer()),
     };
     let goes_on = how.planner.is_none();
     let from = known.filter(|_| goes_on).filter(is_open).cloned();
@@ -151,4 +156,12 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     if is_search {
         inside::begin(state);
     }
+}
+
+/// The other plan of a question, where it is open and costs less than the one that was asked about:
+/// the search goes on with that one.
+fn better_beside(state: &State) -> Option<Rc<Answer>> {
+    let asking = state.document.mode.asking()?;
+    let is_better = asking.is_bettered() && state.document.mode.audit().is_none();
+    state.opened().filter(|_| is_better).cloned()
 }

@@ -82,7 +82,6 @@ fn the_world_changes_again_later_and_not_before() {
 fn no_plan_from_time_0_takes_the_place_of_one_that_went_on() {
     let state = adopted();
     let all = [
-        SolveAction::Solve,
         SolveAction::Plan(Planner::Cbs),
         SolveAction::Plan(Planner::Lacam),
         SolveAction::ShowPlan(By::Search),
@@ -92,7 +91,7 @@ fn no_plan_from_time_0_takes_the_place_of_one_that_went_on() {
         let after = after(&state, [Action::Solve(action.clone())]);
         assert!(after.work.is_idle(), "{action:?}");
         assert_eq!(after.document, state.document, "{action:?}");
-        if matches!(action, SolveAction::Solve | SolveAction::Plan(_)) {
+        if matches!(action, SolveAction::Plan(_)) {
             let notice = after.view.notice.unwrap().sentence();
             assert!(notice.contains("change at time 1"), "{notice}");
         }

@@ -2,6 +2,7 @@
 
 mod adopted;
 mod breakdown;
+mod goes_on;
 mod list;
 mod methods;
 mod stuck;

@@ -1,6 +1,7 @@
 //! Planners of the textbook, chosen in the menu: their plans, their table, and what
 //! they cannot do.
 
+mod bound;
 mod table;
 
 use giveway_model::Cost;

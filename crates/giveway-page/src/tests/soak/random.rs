@@ -192,7 +192,7 @@ impl Session {
         let cell = self.cell();
         let agents = self.state.document.draft.agents();
         let name = agents.first().map_or_else(String::new, |a| a.name.clone());
-        match self.rng.u8(0..10) {
+        match self.rng.u8(0..13) {
             0 => AskAction::Ask(Question::Makespan),
             1 => AskAction::Ask(Question::Unsolvable),
             2 => AskAction::Ask(Question::Plan),
@@ -205,6 +205,9 @@ impl Session {
             6 => AskAction::ShowOther(self.rng.bool()),
             7 => AskAction::TakeOther,
             8 => AskAction::TakeRepair(self.rng.usize(0..2)),
+            9 => AskAction::GoTo(cell),
+            10 => AskAction::Group(self.rng.usize(0..3)),
+            11 => AskAction::Choose(self.rng.bool().then_some(self.rng.usize(0..3))),
             _ => AskAction::Again,
         }
     }

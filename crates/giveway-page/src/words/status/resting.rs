@@ -60,7 +60,10 @@ pub(super) fn resting(state: &State) -> Standing {
             Status::Optimal => Badge::Proved,
             _ => Badge::Found,
         };
-        return say(badge, planners::sentence(planner, answer));
+        return say(
+            badge,
+            planners::sentence(planner, answer, planners::least(&state.document)),
+        );
     }
     if !answer.is_searched() {
         let costs = costs(answer);

@@ -1,5 +1,6 @@
 //! Questions: asked, answered bit by bit, left, and what is taken from them.
 
+mod nearby;
 mod pays;
 mod taken;
 mod told;

@@ -5,13 +5,23 @@ use giveway_proof::{Certified, Report};
 use giveway_solve::{Progress, Request, Response};
 
 use super::{answered, asked, id, learn, told};
-use crate::ask::card;
+use crate::ask::{
+    Held,
+    Reached::{self, Ahead, Done, Now},
+    card,
+};
 use crate::proof::{Proof, proof};
 use crate::reduce::tests::{after, stroke};
 use crate::sample::solved;
 use crate::{
-    Action, AskAction, BoardAction, Lit, Phase, Selection, SolveAction, Tool, WorkerAction, words,
+    Action, AskAction, BoardAction, Lit, Phase, Selection, SolveAction, State, Tool, WorkerAction,
+    words,
 };
+
+fn reached(state: &State) -> Vec<Reached> {
+    let coming = card(state).unwrap().coming.unwrap();
+    coming.layers.iter().map(|layer| layer.reached).collect()
+}
 
 #[test]
 fn a_question_runs_in_the_solver_and_is_said() {
@@ -22,10 +32,17 @@ fn a_question_runs_in_the_solver_and_is_said() {
     assert_eq!(standing.sentence, said);
     let card = card(&state).unwrap();
     assert_eq!(card.question, said);
-    assert_eq!(
-        (card.verdict, card.pending),
-        (None, vec!["Looking for the verdict"])
-    );
+    assert_eq!(card.verdict, None);
+    let coming = card.coming.unwrap();
+    assert!(coming.is_looking);
+    let held = Held {
+        verdict: true,
+        rows: 5,
+        reasons: true,
+        help: true,
+    };
+    assert_eq!(coming.held, held, "every part has its place");
+    assert_eq!(reached(&state), [Now, Ahead, Ahead, Ahead, Ahead]);
     assert!(state.is_looking());
     let asking = state.document.mode.asking().unwrap();
     assert!(asking.request.plan.is_some());
@@ -36,7 +53,7 @@ fn the_answer_grows_until_it_is_whole() {
     let state = learn(&asked());
     let grown = card(&state).unwrap();
     assert_eq!(grown.verdict.as_ref().unwrap().badge.word, "Costly");
-    assert_eq!(grown.pending.len(), 2);
+    assert_eq!(reached(&state), [Done, Done, Done, Now, Done]);
     assert_eq!(grown.standing, None);
     let pays = grown.pays.unwrap();
     let charges = &pays.costs[2];
@@ -50,7 +67,7 @@ fn the_answer_grows_until_it_is_whole() {
     let state = answered(&state);
     assert!(state.work.is_idle());
     let whole = card(&state).unwrap();
-    assert_eq!(whole.pending, Vec::<&str>::new());
+    assert_eq!(whole.coming, None);
     assert!(whole.standing.is_some());
 }
 
@@ -80,7 +97,10 @@ fn cancelling_keeps_what_is_known() {
     let state = after(&learn(&asked()), [Action::Solve(SolveAction::Cancel)]);
     assert!(state.work.is_idle());
     let kept = card(&state).unwrap();
-    assert!(kept.verdict.is_some() && kept.pending.is_empty());
+    assert!(kept.verdict.is_some());
+    let coming = kept.coming.unwrap();
+    assert_eq!((coming.is_looking, coming.doing), (false, "Stopped"));
+    assert_eq!(coming.held, Held::default(), "nothing comes any more");
     let state = after(&asked(), [Action::Solve(SolveAction::Cancel)]);
     assert_eq!(card(&state), None, "nothing was known");
 }

@@ -1,0 +1,40 @@
+//! Facts in groups: a number, a line, a mark; pressing one opens its facts and lights it up.
+
+use giveway_model::tr;
+use giveway_page::ask::{FactRow, Facts, GroupMark, GroupRow};
+use giveway_page::{Action, AskAction};
+use yew::prelude::*;
+
+use crate::icon;
+
+/// The groups, and the facts of the one that is open.
+pub(super) fn show(facts: &Facts, send: &Callback<Action>) -> Html {
+    html! { <ol class="groups">{ for facts.groups.iter().map(|group| one(group, &facts.facts, send)) }</ol> }
+}
+
+fn one(group: &GroupRow, facts: &[FactRow], send: &Callback<Action>) -> Html {
+    let index = group.index;
+    let (class, mark) = match group.mark {
+        GroupMark::Helps => ("helps", tr!("a mark of a group of facts" => "helps")),
+        GroupMark::Needed => ("needed", tr!("a mark of a group of facts" => "needed")),
+        GroupMark::Open => (
+            "open",
+            tr!("a mark of a group of facts" => "perhaps needed"),
+        ),
+    };
+    let fact = |&fact: &usize| {
+        let fact = facts.get(fact)?;
+        Some(html! { <li>{ icon::show(fact.icon) }<span>{ fact.text.clone() }</span></li> })
+    };
+    html! {
+        <li>
+            <button type="button" class="group" aria-expanded={group.is_open.to_string()}
+                onclick={send.reform(move |_| Action::Ask(AskAction::Group(index)))}>
+                <span class={classes!("gno", class)}>{ group.number }</span>
+                <span>{ group.title.clone() }if let Some(price) = &group.price { <small>{ price.clone() }</small> }</span>
+                <em class={class}>{ mark }</em>
+            </button>
+            if group.is_open { <ul>{ for group.facts.iter().filter_map(fact) }</ul> }
+        </li>
+    }
+}
