@@ -6,6 +6,7 @@ mod resting;
 
 use giveway_model::words::capital;
 use giveway_model::{AtGoal, Constraint, Rules, assumption, tr};
+use giveway_solve::explain::Part;
 
 use crate::certificate;
 use crate::words::{change, question, steering};
@@ -177,7 +178,8 @@ fn working(state: &State, task: &Task) -> Standing {
 /// `Asking: why does A1 wait at (3, 1)?`, and how far the answer is.
 fn asked(asking: &Asking) -> String {
     let question = question(asking.question());
-    if asking.told.is_none() {
+    let told = asking.told.as_deref();
+    if told.is_none_or(|told| told.pending.contains(&Part::Verdict)) {
         return question;
     }
     tr!(
