@@ -182,9 +182,14 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
 
 /// Brings the list of rules into view, once it is there.
 pub(crate) fn show_rules() {
-    gloo::timers::callback::Timeout::new(0, || {
-        if let Some(list) = gloo::utils::document().get_element_by_id("rules") {
-            list.scroll_into_view();
+    show_part("rules");
+}
+
+/// Brings a part of the inspector into view, once it is there.
+fn show_part(id: &'static str) {
+    gloo::timers::callback::Timeout::new(0, move || {
+        if let Some(part) = gloo::utils::document().get_element_by_id(id) {
+            part.scroll_into_view();
         }
     })
     .forget();

@@ -20,7 +20,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     html! {
         <>
             { head(card, send) }
-            <section class="writing" role="group" aria-labelledby="rule-title">
+            <section class="writing" id="writing" role="group" aria-labelledby="rule-title">
                 <p class="writing-title" id="rule-title">{ icon::show(card.icon) }{ match &card.zone {
                     _ if card.asks => tr!("Why not a plan in which …?").to_owned(),
                     Some(zone) => tr!("A rule for {zone}", zone),
@@ -192,8 +192,13 @@ fn judged(judged: &Judged) -> Html {
 
 fn offer(offer: &Offer, send: &Callback<Action>) -> Html {
     let rule = offer.rule.clone();
+    // Its sentence takes the place of the one above, which may be out of sight.
+    let onclick = act(send, move || {
+        super::show_part("writing");
+        RuleAction::Write(rule.clone())
+    });
     html! {
-        <li key={offer.sentence.clone()}><button type="button" class="ask" onclick={act(send, move || RuleAction::Write(rule.clone()))}>
+        <li key={offer.sentence.clone()}><button type="button" class="ask" {onclick}>
             { icon::show(offer.icon) }<span>{ offer.sentence.clone() }</span>{ icon::at_end("plus") }
         </button></li>
     }
