@@ -80,6 +80,7 @@ fn ask_in(host: &dyn Host, case: &Case, within: Option<u32>, limits: Limits) -> 
         at: None,
         objective: None,
         within,
+        proved: None,
         layers: Vec::new(),
         limits,
     });

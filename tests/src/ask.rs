@@ -98,6 +98,7 @@ pub fn unsolvable(instance: &Instance) -> Option<ExplainAnswer> {
         at: None,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -46,6 +46,7 @@ pub fn explain(
         within,
         changes: None,
         at: None,
+        proved: None,
         layers: Vec::new(),
         limits,
     });

@@ -1,6 +1,6 @@
 //! Calm plans, against all best plans one by one: how many drive more than the calmest.
 //!
-//! `GIVEWAY_RANDOM_CALM` sets of how many random instances (200 by default), and
+//! `GIVEWAY_RANDOM_CALM` sets of how many random instances (300 by default), and
 //! `GIVEWAY_RANDOM_SEED` the seed. The long run:
 //!
 //! ```text
@@ -114,7 +114,7 @@ fn nobody_drives_back_and_forth_to_pass_time() {
 #[test]
 fn hardly_any_plan_drives_more_than_the_calmest() {
     let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
-    let count = environment::number("GIVEWAY_RANDOM_CALM", 200);
+    let count = environment::number("GIVEWAY_RANDOM_CALM", 300);
     let (mut looked_at, mut restless) = (0, 0);
     for number in 0.. {
         if looked_at >= count || number > 20 * count {

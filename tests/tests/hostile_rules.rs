@@ -207,6 +207,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             question: Question::Makespan,
             objective,
             within,
+            proved: None,
             layers: Vec::new(),
             limits: limits(),
         }),
@@ -218,6 +219,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             question: Question::Unsolvable,
             objective: None,
             within,
+            proved: None,
             layers: Vec::new(),
             limits: limits(),
         }),
@@ -248,6 +250,7 @@ fn ask_one(what: &str, rule: &Constraint, (scene, plan): &(Scene, Plan)) {
         },
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: limits(),
     };

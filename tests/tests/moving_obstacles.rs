@@ -210,6 +210,7 @@ fn ask(scene: &Instance, plan: Option<&Plan>, changes: Option<&Changes>) -> Expl
         },
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

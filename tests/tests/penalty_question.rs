@@ -44,6 +44,7 @@ fn ask(scene: &Value, solved: &SolveAnswer) -> ExplainAnswer {
         question: Question::Penalty,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     };

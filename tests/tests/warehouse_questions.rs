@@ -33,6 +33,7 @@ fn answer(words: &str) -> ExplainAnswer {
         at: None,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::change::{Changes, Trajectory};
 use giveway_model::{Agent, Fault, Plan, check};
 use giveway_solve::plan::Planner;
-use giveway_solve::{Ended, SolveAnswer, SolveRequest, Status};
+use giveway_solve::{Ended, Reach, SolveAnswer, SolveRequest, Status};
 
 use crate::Draft;
 use crate::course::{Adopted, Course, World};
@@ -141,6 +141,13 @@ impl Answer {
         let solved = &self.solved;
         let was_stopped = solved.ended.is_some_and(|ended| ended != Ended::Proof);
         !self.is_shared && (solved.status != Status::Feasible || was_stopped)
+    }
+
+    /// How far the search for the best plan proved that none is better: of its own plan in a
+    /// world that does not change.
+    pub(crate) fn proved_here(&self) -> Option<Reach> {
+        let is_own = self.is_searched() && self.by.is_none() && self.course.is_none();
+        (is_own && self.solved.status == Status::Optimal).then_some(self.solved.reach)
     }
 
     /// The index, in the draft that was solved, of an agent of another draft.

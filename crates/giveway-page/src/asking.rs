@@ -105,6 +105,7 @@ impl Asking {
             question,
             objective: answer.request.objective.clone(),
             within: answer.request.within,
+            proved: answer.proved_here(),
             limits,
         });
         Self::new(request, Rc::clone(answer))

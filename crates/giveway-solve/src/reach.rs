@@ -27,6 +27,11 @@ use crate::{SolveRequest, search::Proved};
 #[serde(into = "WrittenReach", try_from = "WrittenReach")]
 pub struct Reach(Claimed);
 
+/// A claim for every horizon that the solver made for an earlier request. Only a [`Reach`] makes
+/// one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HandedOn(());
+
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
 enum Claimed {
     #[default]
@@ -70,6 +75,15 @@ impl Reach {
         match self.0 {
             Claimed::Within(_) => self,
             Claimed::Nothing | Claimed::EveryHorizon => Self(Claimed::Nothing),
+        }
+    }
+
+    /// The claim of an answer that a front kept, and hands on with another request.
+    pub(crate) fn handed_on(self) -> Option<Proved> {
+        match self.0 {
+            Claimed::Nothing => None,
+            Claimed::Within(makespan) => Some(Proved::Within(makespan)),
+            Claimed::EveryHorizon => Some(Proved::handed_on(HandedOn(()))),
         }
     }
 

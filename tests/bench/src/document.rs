@@ -51,6 +51,12 @@ pub(crate) const GATES: Marks = Marks {
     end: "<!-- end of the gates -->",
 };
 
+/// The table of questions on warehouse floors.
+pub(crate) const FLOOR: Marks = Marks {
+    begin: "<!-- floor: written by `./x bench --floor` -->",
+    end: "<!-- end of the floor -->",
+};
+
 /// Puts tables into the document.
 ///
 /// # Errors
@@ -80,7 +86,9 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        for marks in [TABLES, PROOFS, QUESTIONS, CHANGES, CROWDS, RULES] {
+        for marks in [
+            TABLES, PROOFS, QUESTIONS, CHANGES, CROWDS, RULES, GATES, FLOOR,
+        ] {
             let Marks { begin, end } = marks;
             let text = format!("before\n{begin}\nold\n{end}\nafter\n");
             let new = replaced(&text, &marks, "new\n").unwrap();

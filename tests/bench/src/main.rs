@@ -7,7 +7,8 @@
 //! and checks certificates instead, `./x bench --questions` answers questions,
 //! `./x bench --changes` goes on where agents join others, `./x bench --crowds` looks
 //! at plans and bounds of crowds after some seconds, `./x bench --rules` adds rules to scenes,
-//! `./x bench --gates` sends robots through one passage.
+//! `./x bench --gates` sends robots through one passage, `./x bench --floor` asks about plans on
+//! warehouse floors.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -17,6 +18,7 @@
 mod changes;
 mod crowds;
 mod document;
+mod floor;
 mod gates;
 mod proofs;
 mod questions;
@@ -61,6 +63,10 @@ struct Args {
     /// Only robots that all pass one passage; their table is written
     #[arg(long)]
     gates: bool,
+    /// Only questions on warehouse floors: the depot, and so many random floors; their table is
+    /// written
+    #[arg(long, value_name = "FLOORS", num_args = 0..=1, default_missing_value = "20")]
+    floor: Option<u64>,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -107,6 +113,13 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             document::put(&document::GATES, &table)?;
             eprintln!("written to docs/benchmarks.md");
         }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if let Some(floors) = args.floor {
+        let table = floor::table(floors, f64::from(args.time_limit))?;
+        println!("{table}");
+        document::put(&document::FLOOR, &table)?;
+        eprintln!("written to docs/benchmarks.md");
         return Ok(ExitCode::SUCCESS);
     }
     let mut text = String::new();

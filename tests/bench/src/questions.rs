@@ -93,6 +93,7 @@ pub(crate) fn table() -> Result<String, Box<dyn Error>> {
                 at: None,
                 objective: None,
                 within: None,
+                proved: None,
                 layers: Vec::new(),
                 limits: giveway_solve::Limits::default(),
             };

@@ -95,6 +95,7 @@ impl Course {
             question: question.clone(),
             objective: None,
             within: None,
+            proved: None,
             layers: Vec::new(),
             limits: limits(),
         });

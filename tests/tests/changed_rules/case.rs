@@ -124,6 +124,7 @@ impl Case {
             question: question.clone(),
             objective: None,
             within: None,
+            proved: None,
             layers: Vec::new(),
             limits: Limits {
                 conflicts: Some(20_000),

@@ -19,6 +19,7 @@ fn ask(instance: &Instance, question: Question) -> Result<ExplainAnswer, Refusal
         question,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: giveway_solve::Limits::default(),
     };

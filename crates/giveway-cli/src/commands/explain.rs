@@ -51,6 +51,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         question,
         objective: None,
         within: args.within,
+        proved: None,
         layers: args.layers.clone(),
         limits: Limits {
             // The limit is for the whole command: reading has taken its part.

@@ -61,6 +61,7 @@ pub(super) fn explain(scene: &Scene, plan: Option<&Plan>, question: Question) ->
         question,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: limits(),
     })

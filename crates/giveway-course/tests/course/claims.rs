@@ -137,6 +137,7 @@ fn numbers_in_texts_are_true() {
                 question,
                 objective: None,
                 within: None,
+                proved: None,
                 layers: Vec::new(),
                 limits: Limits::default(),
             });

@@ -55,6 +55,7 @@ fn questions_and_best_plans_claim_nothing_for_every_horizon() {
                 question,
                 objective: None,
                 within: None,
+                proved: None,
                 layers: Vec::new(),
                 limits: crate::Limits::default(),
             });

@@ -6,29 +6,27 @@ use std::rc::Rc;
 
 use giveway_model::tr;
 use giveway_model::{
-    Costs, Instance, Objective, Plan, Question,
+    Instance, Objective, Plan, Question,
     check::{self, Report, check_history},
     question::{Misfit, names_exist},
 };
 
 use super::{
-    ExplainAnswer, ExplainRequest, Layer, Part, Verdict,
+    ExplainAnswer, ExplainRequest, Layer, Part,
     ask::{Ask, any},
     changed::{ChangedWorld, asked, counting},
-    closest::closest,
-    here::here,
-    how::{differences, how},
-    near::near,
     own_plan::OwnPlanReport,
     reasons,
-    verdict::{FittingQuestion, compare},
+    telling::{Reporter, tell_nearby, tell_verdict},
+    verdict::FittingQuestion,
     whole::WholePlan,
     words,
 };
 use crate::{
-    Host, Progress, Refusal, Status,
+    Host, Reach, Refusal, Status,
     budget::Budget,
     problem::Relaxed,
+    search::Proved,
     solve::{self, SolveTask, Solved},
 };
 
@@ -51,6 +49,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             within: request.within,
             whole: WholePlan::default(),
             layers: &request.layers,
+            proved: request.proved.and_then(Reach::handed_on),
         };
         return answered(&asked, &budget, host);
     };
@@ -79,6 +78,8 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             running: Some((&snapshot, &request.question)),
         },
         layers: &request.layers,
+        // The claim is about the plan without changes.
+        proved: None,
     };
     answered(&asked, &budget, host)
 }
@@ -101,6 +102,8 @@ struct PlanQuestion<'a> {
     whole: WholePlan<'a>,
     /// The layers that the answer has; those of a request without layers where there are none.
     layers: &'a [Layer],
+    /// How far it is proved already that no plan is better.
+    proved: Option<Proved>,
 }
 
 /// The answer for a plan that breaks rules while the world changes.
@@ -130,6 +133,7 @@ fn answered(
         within,
         whole,
         layers,
+        proved,
     } = asked;
     let (within, whole) = (*within, *whole);
     let costs = plan.as_ref();
@@ -172,7 +176,10 @@ fn answered(
     whole.fits(question, instance, &plan).map_err(refused)?;
     answer.plan = best;
     let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
-    case.optimal = solved.and_then(|solved| solved.reach);
+    case.optimal = match solved {
+        Some(solved) => solved.reach,
+        None => *proved,
+    };
     answer.pending = Layer::parts(layers);
     tell_nearby(&case, &mut answer, &telling);
     if answer.pending.contains(&Part::Verdict) {
@@ -185,100 +192,6 @@ fn answered(
     }
     answer.stats = budget.stats();
     Ok(whole.answer(answer, telling.costs))
-}
-
-/// What the plan shows, and small variations of it, where these layers are asked for.
-fn tell_nearby(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
-    if answer.pending.contains(&Part::Here) {
-        answer.here = here(case, telling.budget);
-        words::nearby(answer);
-        telling.tell(answer, Part::Here);
-    }
-    if answer.pending.contains(&Part::Near) {
-        near(case, telling.budget, &mut |near, best| {
-            answer.near = Some(near);
-            if let Some((plan, costs)) = best {
-                (answer.alternative, answer.costs) = (Some(plan), Some(costs));
-                answer.deltas = case.deltas(&costs);
-                compare_agents(case, answer);
-            }
-            words::nearby(answer);
-            telling.tell_more(answer);
-        });
-        telling.tell(answer, Part::Near);
-    }
-}
-
-/// The verdict with an other plan.
-fn tell_verdict(case: &mut FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
-    let known = answer.alternative.take().zip(answer.costs.take());
-    let compared = compare(case, known, telling.budget);
-    answer.verdict = compared.verdict;
-    answer.deltas = compared.deltas;
-    case.shown = compared.reach;
-    answer.reach = compared.reach.into();
-    let (alternative, costs) = compared.other.unzip();
-    (answer.alternative, answer.costs) = (alternative, costs);
-    (answer.pays, answer.how) = (Vec::new(), Vec::new());
-    compare_agents(case, answer);
-    reasons::word(case, "", answer);
-    telling.tell(answer, Part::Verdict);
-    if compared.reach.is_some() {
-        tell_closest(case, answer, telling);
-    }
-    telling.tell(answer, Part::Closest);
-}
-
-/// How the other plan that is at hand differs.
-fn compare_agents(case: &FittingQuestion, answer: &mut ExplainAnswer) {
-    let Some(other) = &answer.alternative else {
-        return;
-    };
-    let plans = (case.plan, other);
-    answer.pays = differences(case.instance, plans, case.whole);
-    answer.how = match answer.verdict {
-        Verdict::Needless => how(case.question, case.instance, plans, &answer.pays),
-        Verdict::Improvable | Verdict::Costly | Verdict::Necessary | Verdict::Unknown => Vec::new(),
-    };
-}
-
-/// The closest other plan, where the one at hand is proved best.
-fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
-    if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
-        let (plan, proved) = closest(case, (other, costs), telling.budget);
-        answer.costs = check::costs(case.instance, &plan);
-        answer.alternative = Some(plan);
-        answer.closest = proved;
-        compare_agents(case, answer);
-        reasons::word(case, "", answer);
-    }
-}
-
-/// Sends each part of the answer to the host.
-struct Reporter<'a, 'h> {
-    budget: &'a Rc<Budget<'h>>,
-    host: &'a dyn Host,
-    whole: WholePlan<'a>,
-    /// The costs of the whole plan that is asked about.
-    costs: Option<Costs>,
-}
-
-impl Reporter<'_, '_> {
-    /// Tells that a part of the answer is there.
-    fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
-        answer.pending.retain(|&pending| pending != part);
-        self.tell_more(answer);
-    }
-
-    /// Tells that more of a part is there.
-    fn tell_more(&self, answer: &mut ExplainAnswer) {
-        answer.stats = self.budget.stats();
-        if !answer.pending.is_empty() {
-            let answer = self.whole.answer(answer.clone(), self.costs);
-            let answer = Box::new(answer);
-            self.host.progress(&Progress::Explained { answer });
-        }
-    }
 }
 
 /// Why there is no plan.

@@ -41,6 +41,11 @@ pub struct ExplainRequest {
     /// The horizon, in time steps; never less than the plan's makespan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
+    /// How far the front that asks had proved that no plan is better than `plan`, by an answer
+    /// to the same scene, objective and horizon: it is not proved again. Only programs of the
+    /// same build hand it on; no file has it.
+    #[serde(skip)]
+    pub proved: Option<Reach>,
     /// The layers of the answer, each with those of `whole`, `reason` and `help` before it; without
     /// any these three.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

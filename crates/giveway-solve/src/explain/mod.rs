@@ -2,7 +2,7 @@
 //!
 //! - [`ask`]: the search, asked about a changed instance;
 //! - `explanation`: the question to the service, and its answer as far as known;
-//! - [`engine`]: the order of the parts;
+//! - [`engine`]: the order of the parts; `telling`: the first layers, told to the host;
 //! - [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it; [`how`]: how it differs, and who pays;
 //! - `changed`: a question after a change of the world, as one about a snapshot of the plan;
@@ -49,6 +49,7 @@ pub(crate) mod reasons;
 pub(crate) mod repairs;
 mod shelves;
 pub(crate) mod soft;
+mod telling;
 #[cfg(test)]
 mod tests;
 pub(crate) mod unsolvable;

@@ -13,7 +13,7 @@ use std::rc::Rc;
 use giveway_model::{Condition, Costs, Plan, check::costs, sorting::sort_by_key};
 
 use super::{
-    how::{differences, way},
+    how::{AgentDifference, differences, way},
     layers::{Near, Variation, VariationKind},
     verdict::FittingQuestion,
     words,
@@ -21,7 +21,7 @@ use super::{
 use crate::{Limits, budget::Budget};
 
 /// Units of work of the whole layer.
-const WORK: u64 = 600_000;
+const WORK: u64 = 1_000_000;
 /// Alternatives of a contrast that are looked at.
 const MOST_WAYS: usize = 3;
 /// Variations that are told.
@@ -91,11 +91,11 @@ impl Variations<'_> {
             return None;
         }
         let vector = own.vector(case.objective());
-        let variation = self.variation(own, offer, vector.clone())?;
-        Some(variation)
+        self.take(own, offer, vector)
     }
 
-    fn variation(&mut self, own: Costs, offer: Offer, vector: Vec<u32>) -> Option<Costs> {
+    /// Takes a plan that was judged, where it is a new one worth telling.
+    fn take(&mut self, own: Costs, offer: Offer, vector: Vec<u32>) -> Option<Costs> {
         let case = self.case;
         let pays = differences(case.instance, (case.plan, &offer.plan), case.whole);
         let mut plan = case.whole.plan(&offer.plan);
@@ -107,16 +107,25 @@ impl Variations<'_> {
         if pays.is_empty() || self.plans.iter().any(|(_, known)| known.plan == plan) {
             return None;
         }
+        let waits = |it: &AgentDifference| it.other > it.arrival || it.more_waits > 0;
+        let is_other = |it: &&AgentDifference| Some(it.agent.as_str()) == offer.other;
+        let gives_way = pays.iter().find(is_other).is_some_and(waits);
         let wait = slides::first_other_wait(case, offer.agent, &offer.plan);
         let only_times = way(case.plan, offer.agent) == way(&offer.plan, offer.agent);
         let kind = match offer.kind {
             VariationKind::OtherWay if only_times && wait.is_some() => VariationKind::Elsewhere,
+            VariationKind::Swapped if !gives_way => VariationKind::Others,
             kind @ (VariationKind::Elsewhere
             | VariationKind::OtherWay
             | VariationKind::Swapped
             | VariationKind::Others) => kind,
         };
         let wait = wait.filter(|_| kind == VariationKind::Elsewhere);
+        // Many robots that move differently are told only where that is cheaper.
+        let is_known = |(least, _): &(Vec<u32>, Variation)| *least <= vector;
+        if kind == VariationKind::Others && self.plans.first().is_some_and(is_known) {
+            return None;
+        }
         let mut variation = Variation {
             kind,
             other: offer.other.map(str::to_owned),

@@ -10,7 +10,7 @@ use giveway_model::{
 
 use super::{
     Verdict,
-    ask::{Ask, Found, at_most, best},
+    ask::{Ask, Found, any, at_most, best},
     whole::WholePlan,
 };
 use crate::{
@@ -20,6 +20,9 @@ use crate::{
     problem::Relaxed,
     search::Proved,
 };
+
+/// With more agents planners look long for a plan that does not exist.
+const FEW_AGENTS: usize = 8;
 
 /// A question that fits a valid plan, and what is to be known of both.
 pub(crate) struct FittingQuestion<'a> {
@@ -118,6 +121,9 @@ pub(crate) fn compare(
     known: Option<(Plan, Costs)>,
     budget: &Rc<Budget>,
 ) -> Compared {
+    if let Some(compared) = by_proof_of_plan(case, known.as_ref()) {
+        return compared;
+    }
     let found = best_with(case, budget);
     let objective = case.objective();
     let before = case.costs.vector(objective);
@@ -155,10 +161,63 @@ pub(crate) fn compare(
     }
 }
 
+/// What follows from the proof that no plan is better than the one asked about: there is none
+/// with less of the first cost, and a known one that costs the same is as good as the best.
+fn by_proof_of_plan(case: &FittingQuestion, known: Option<&(Plan, Costs)>) -> Option<Compared> {
+    let proved = case.optimal?;
+    let objective = case.objective();
+    if proved.is_complete() && asks_for_less_of_first_cost(case) {
+        return Some(Compared {
+            verdict: Verdict::Necessary,
+            other: None,
+            deltas: BTreeMap::new(),
+            reach: Some(proved),
+        });
+    }
+    let costs_same =
+        |(_, costs): &&(Plan, Costs)| costs.vector(objective) == case.costs.vector(objective);
+    let same = known.filter(costs_same)?;
+    Some(Compared {
+        verdict: Verdict::Needless,
+        deltas: case.deltas(&same.1),
+        other: Some(same.clone()),
+        reach: Some(proved),
+    })
+}
+
+/// Whether each alternative of the contrast has less of the objective's first cost than the plan.
+fn asks_for_less_of_first_cost(case: &FittingQuestion) -> bool {
+    let first = case.objective().costs().first().copied();
+    let is_less = |condition: &Condition| match condition {
+        Condition::Below {
+            agent: None,
+            cost,
+            limit,
+        } => Some(*cost) == first && *limit <= case.costs.get(*cost),
+        Condition::Below { agent: Some(_), .. }
+        | Condition::Never { .. }
+        | Condition::Visit { .. }
+        | Condition::Move { .. }
+        | Condition::Charge { .. }
+        | Condition::Before { .. }
+        | Condition::Keeps(_) => false,
+    };
+    case.conditions().next().is_some() && case.conditions().all(is_less)
+}
+
 /// The best plan with any of the conditions.
 fn best_with(case: &FittingQuestion, budget: &Rc<Budget>) -> Found {
     let objective = case.objective();
     let mut all: Option<Found> = None;
+    let is_large = case.instance.agents().len() > FEW_AGENTS;
+    if is_large && asks_for_less_of_first_cost(case) {
+        // Mostly there is no such plan: SAT refutes it before planners would give up.
+        let mut refuted = None;
+        case.each(|ask| refuted = Some(any(ask, budget)));
+        if let Some(found) = refuted.filter(|found| found.plan.is_none()) {
+            return found;
+        }
+    }
     case.each(|ask| {
         let Some(so_far) = all.take() else {
             all = Some(best(ask, budget));

@@ -96,6 +96,9 @@ fn whole(
     let further = format!("{} more would help, too.", answer.further_repairs);
     repairs.extend((answer.further_repairs > 0).then_some(further.as_str()));
     parts.push(listed("What would help", &repairs));
+    let near = answer.near.iter().flat_map(|near| &near.variations);
+    let near: Vec<&str> = near.map(|it| it.text.as_str()).collect();
+    parts.push(listed("Small changes", &near));
     parts.push(work(&answer.stats));
     parts.retain(|part| !part.is_empty());
     parts.join("\n")
@@ -179,7 +182,11 @@ fn verdict(answer: &ExplainAnswer) -> String {
         sentence(&answer.question),
         to_words(&answer.question)
     );
-    let mut text = format!("{}\n{word}", plain::text(&asked));
+    let asked = plain::text(&asked);
+    if has_no_verdict(answer) {
+        return format!("{asked}\n{}\n", plain::text(&answer.words));
+    }
+    let mut text = format!("{asked}\n{word}");
     if answer.words.is_empty() {
         text += ".\n";
     } else {
@@ -189,6 +196,15 @@ fn verdict(answer: &ExplainAnswer) -> String {
         let _ = writeln!(text, "{reach}");
     }
     text
+}
+
+/// Whether the answer has only what the plan shows and what is near.
+fn has_no_verdict(answer: &ExplainAnswer) -> bool {
+    let here = answer.here.iter().map(|here| &here.words);
+    let near = answer.near.iter().map(|near| &near.words);
+    let mut quick = here.chain(near).filter(|words| !words.is_empty());
+    answer.verdict == Verdict::Unknown
+        && quick.any(|words| answer.words.starts_with(words.as_str()))
 }
 
 /// All five costs of both plans, those of the objective first.

@@ -22,7 +22,7 @@ use crate::{
 /// States that are looked at for one walk.
 const STATES: u32 = 60_000;
 /// States to improve a plan of several agents, about.
-const IMPROVED: u64 = 40_000;
+const IMPROVED: u64 = 60_000;
 /// Agents that are let wait, one at a time.
 const MOST_SWAPPED: usize = 4;
 

@@ -46,6 +46,7 @@ fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
         at: None,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });
@@ -164,7 +165,7 @@ fn of_what_excludes_a_contrast_no_fact_can_be_left_out() {
         for question in all.iter().skip(seed as usize % 5).step_by(5) {
             let whole = WholePlan::default();
             let case = FittingQuestion::new(&instance, question, &plan, costs, None, whole);
-            let compared = compare(&case, &budget());
+            let compared = compare(&case, None, &budget());
             let verdict = compared.verdict;
             if !matches!(verdict, Verdict::Necessary | Verdict::Costly) {
                 continue;

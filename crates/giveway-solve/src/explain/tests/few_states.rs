@@ -24,6 +24,7 @@ pub(super) fn asked(
         at: None,
         objective: Some(objective.parse::<Objective>().unwrap()),
         within,
+        proved: None,
         layers: Vec::new(),
         limits: Limits {
             conflicts: Some(30_000),

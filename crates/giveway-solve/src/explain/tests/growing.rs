@@ -101,7 +101,7 @@ fn no_smaller_set_of_agents_forces_the_answer() {
                 continue;
             }
             let case = FittingQuestion::new(&instance, question, &plan, costs, None, whole);
-            let compared = compare(&case, &budget());
+            let compared = compare(&case, None, &budget());
             let verdict = compared.verdict;
             let Some(reach) = compared.reach else {
                 continue;
@@ -186,7 +186,7 @@ fn what_a_set_alone_needs_is_its_own_optimum() {
             let question = from_words(&[words]).unwrap();
             let whole = WholePlan::default();
             let case = FittingQuestion::new(&instance, &question, &plan, costs, None, whole);
-            let compared = compare(&case, &budget());
+            let compared = compare(&case, None, &budget());
             let Some(reach) = compared.reach else {
                 continue;
             };

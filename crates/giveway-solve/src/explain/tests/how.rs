@@ -19,6 +19,7 @@ fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
         at: None,
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -10,6 +10,7 @@ mod growing;
 mod half_way;
 mod how;
 mod late;
+mod layers;
 mod own_plan;
 mod reach;
 mod repairs;

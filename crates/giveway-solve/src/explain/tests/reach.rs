@@ -19,6 +19,7 @@ fn explained(scene: &str, question: Question, within: Option<u32>) -> Response {
             question,
             objective: None,
             within,
+            proved: None,
             layers: Vec::new(),
             limits: Limits::default(),
         }),

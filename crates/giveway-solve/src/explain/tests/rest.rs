@@ -61,6 +61,7 @@ impl Course {
             question: from_words(&words).unwrap(),
             objective: None,
             within: None,
+            proved: None,
             layers: Vec::new(),
             limits: crate::Limits::default(),
         }

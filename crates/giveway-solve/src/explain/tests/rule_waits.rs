@@ -27,6 +27,7 @@ fn asked(map: &str, agents: &str, rule: &str, paths: &str) -> ExplainAnswer {
         question: from_words(&["wait", "A1"]).unwrap(),
         objective: None,
         within: None,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

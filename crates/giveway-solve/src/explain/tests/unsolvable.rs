@@ -52,6 +52,7 @@ pub(super) fn why(instance: &Instance, within: Option<u32>) -> ExplainAnswer {
         at: None,
         objective: None,
         within,
+        proved: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -1,6 +1,7 @@
 //! How far a claim reaches.
 
-use super::{ForEver, NoPlan};
+use super::{ForEver, Least, NoPlan};
+use crate::reach::HandedOn;
 
 /// How far a claim reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +25,11 @@ impl Proved {
     /// Proved at every horizon, by a token.
     pub(crate) fn for_ever<C>(_: ForEver<C>) -> Self {
         Self::ForEver(Reasoned(()))
+    }
+
+    /// An earlier request proved at every horizon that a plan is the best.
+    pub(crate) fn handed_on(earlier: HandedOn) -> Self {
+        Self::for_ever(ForEver::<Least>::from(earlier))
     }
 
     /// There is no plan at any horizon.

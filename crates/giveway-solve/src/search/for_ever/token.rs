@@ -16,7 +16,9 @@ use super::super::{
     horizon::AllInTime,
     minima::{LimitTooLow, NeededAlone},
 };
-use crate::{freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::NeverAlone};
+use crate::{
+    freedom::CellNeeded, impose::Unmeetable, joint::AllStates, problem::NeverAlone, reach::HandedOn,
+};
 
 /// A reason why a claim holds whatever the horizon: that there is [`NoPlan`], that costs are
 /// the [`Least`], or that a plan is the [`Closest`].
@@ -95,4 +97,6 @@ proofs! {
     NeededAlone => Least,
     /// Counting at a bottleneck shows the bound.
     Counted => Least,
+    /// An earlier request proved it.
+    HandedOn => Least,
 }

@@ -1,0 +1,117 @@
+//! The first layers of an answer about a plan, each told to the host as soon as it is there: what
+//! the plan shows, what is near, the verdict, and the closest other plan.
+
+use std::rc::Rc;
+
+use giveway_model::{Costs, check};
+
+use super::{
+    ExplainAnswer, Part, Verdict,
+    closest::closest,
+    here::here,
+    how::{differences, how},
+    near::near,
+    reasons,
+    verdict::{FittingQuestion, compare},
+    whole::WholePlan,
+    words,
+};
+use crate::{Host, Progress, budget::Budget};
+
+/// What the plan shows, and small variations of it, where these layers are asked for.
+pub(super) fn tell_nearby(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
+    if answer.pending.contains(&Part::Here) {
+        answer.here = here(case, telling.budget);
+        words::nearby(answer);
+        telling.tell(answer, Part::Here);
+    }
+    if answer.pending.contains(&Part::Near) {
+        near(case, telling.budget, &mut |near, best| {
+            answer.near = Some(near);
+            if let Some((plan, costs)) = best {
+                (answer.alternative, answer.costs) = (Some(plan), Some(costs));
+                answer.deltas = case.deltas(&costs);
+                compare_agents(case, answer);
+            }
+            words::nearby(answer);
+            telling.tell_more(answer);
+        });
+        telling.tell(answer, Part::Near);
+    }
+}
+
+/// The verdict with an other plan.
+pub(super) fn tell_verdict(
+    case: &mut FittingQuestion,
+    answer: &mut ExplainAnswer,
+    telling: &Reporter,
+) {
+    let known = answer.alternative.take().zip(answer.costs.take());
+    let compared = compare(case, known, telling.budget);
+    answer.verdict = compared.verdict;
+    answer.deltas = compared.deltas;
+    case.shown = compared.reach;
+    answer.reach = compared.reach.into();
+    let (alternative, costs) = compared.other.unzip();
+    (answer.alternative, answer.costs) = (alternative, costs);
+    (answer.pays, answer.how) = (Vec::new(), Vec::new());
+    compare_agents(case, answer);
+    reasons::word(case, "", answer);
+    telling.tell(answer, Part::Verdict);
+    if compared.reach.is_some() {
+        tell_closest(case, answer, telling);
+    }
+    telling.tell(answer, Part::Closest);
+}
+
+/// How the other plan that is at hand differs.
+fn compare_agents(case: &FittingQuestion, answer: &mut ExplainAnswer) {
+    let Some(other) = &answer.alternative else {
+        return;
+    };
+    let plans = (case.plan, other);
+    answer.pays = differences(case.instance, plans, case.whole);
+    answer.how = match answer.verdict {
+        Verdict::Needless => how(case.question, case.instance, plans, &answer.pays),
+        Verdict::Improvable | Verdict::Costly | Verdict::Necessary | Verdict::Unknown => Vec::new(),
+    };
+}
+
+/// The closest other plan, where the one at hand is proved best.
+fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
+    if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
+        let (plan, proved) = closest(case, (other, costs), telling.budget);
+        answer.costs = check::costs(case.instance, &plan);
+        answer.alternative = Some(plan);
+        answer.closest = proved;
+        compare_agents(case, answer);
+        reasons::word(case, "", answer);
+    }
+}
+
+/// Sends each part of the answer to the host.
+pub(super) struct Reporter<'a, 'h> {
+    pub(super) budget: &'a Rc<Budget<'h>>,
+    pub(super) host: &'a dyn Host,
+    pub(super) whole: WholePlan<'a>,
+    /// The costs of the whole plan that is asked about.
+    pub(super) costs: Option<Costs>,
+}
+
+impl Reporter<'_, '_> {
+    /// Tells that a part of the answer is there.
+    pub(super) fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
+        answer.pending.retain(|&pending| pending != part);
+        self.tell_more(answer);
+    }
+
+    /// Tells that more of a part is there.
+    fn tell_more(&self, answer: &mut ExplainAnswer) {
+        answer.stats = self.budget.stats();
+        if !answer.pending.is_empty() {
+            let answer = self.whole.answer(answer.clone(), self.costs);
+            let answer = Box::new(answer);
+            self.host.progress(&Progress::Explained { answer });
+        }
+    }
+}
