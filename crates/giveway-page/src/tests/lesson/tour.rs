@@ -130,7 +130,10 @@ fn it_is_shown_step_by_step() {
             Step::Ask => {
                 let asking = both.page.document.mode.asking().unwrap();
                 let question = crate::words::question(asking.question());
-                assert!(question.starts_with("Why does A1 give way to A2"), "{question}");
+                assert!(
+                    question.starts_with("Why does A1 give way to A2"),
+                    "{question}"
+                );
             }
             Step::Solve => both.solve(),
             Step::Select | Step::Close | Step::GoOn => {}

@@ -1,6 +1,6 @@
 //! What the plan shows, and small variations of it, in sentences.
 
-use giveway_model::{Costs, tr, words::and};
+use giveway_model::{Costs, Question, tr, words::and};
 
 use super::{costs::instead, violations::would};
 use crate::explain::{
@@ -31,12 +31,21 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
     let violations: Vec<_> = here.violations.iter().collect();
     if violations.is_empty() {
         return tr!(
-            "If only {agent} did otherwise, no rule would be broken.",
+            "If only {agent} changed its way, no rule would be broken.",
             agent
         );
     }
     let what = would(agent, &violations, Some(case.instance));
-    if passing.is_empty() {
+    if !matches!(
+        case.question,
+        Question::Wait { .. } | Question::Yield { .. }
+    ) {
+        tr!(
+            "If only {agent} changed its way, it would {what}.",
+            agent,
+            what
+        )
+    } else if passing.is_empty() {
         tr!("Going on, {agent} would {what}.", agent, what)
     } else {
         let others = and(&passing);
