@@ -1,5 +1,6 @@
 //! What can happen to the page, by the place where it does.
 
+mod ask;
 mod worker;
 
 use std::rc::Rc;
@@ -7,7 +8,6 @@ use std::rc::Rc;
 use giveway_model::{Cell, Scene};
 use giveway_solve::plan::Planner;
 
-use crate::asking::AskAction;
 use crate::audit::AuditAction;
 use crate::changing::Choice;
 use crate::draw::{Measure, Shape};
@@ -27,6 +27,7 @@ use crate::slot::SlotAction;
 use crate::steering::Lead;
 use crate::{ComparedLanes, Edit, Fill, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
 
+pub use ask::AskAction;
 pub use worker::WorkerAction;
 
 /// What a person did, what the solver told, or that time went on.

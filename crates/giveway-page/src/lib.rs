@@ -75,11 +75,11 @@ pub mod words;
 mod work;
 
 pub use action::{
-    Action, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction, SolveAction,
-    ViewAction, WorkerAction,
+    Action, AskAction, BoardAction, ChangeAction, FileAction, IntakeAction, PlayAction,
+    SolveAction, ViewAction, WorkerAction,
 };
 pub use answer::Answer;
-pub use asking::{AskAction, Asking, Lit};
+pub use asking::{Asking, Lit};
 pub use document::Document;
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{DENSEST, Edit, Fill, Paint, RuleEdit};

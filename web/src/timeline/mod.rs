@@ -1,6 +1,7 @@
 //! The dock below the board: transport, lanes and plan table; while a plan is
 //! sought, how far that has come.
 
+mod bars;
 mod epochs;
 mod head;
 mod inside;

@@ -1,3 +1,5 @@
+//! Shapes, drawn on the floor of a depot.
+
 use giveway_model::{Cell, Ground};
 
 use super::{Drawing, LONGEST, Measure, Shape, drawn, row};

@@ -1,3 +1,5 @@
+//! Several robots, drawn in rows and said in a sentence.
+
 use giveway_model::{Battery, Cell};
 
 use super::{FleetAction, card};

@@ -2,6 +2,7 @@
 //! the board. The document stays as it is until the hand is lifted: then what was
 //! done becomes one step of undo, or none.
 
+mod canvas;
 mod shaped;
 mod stroke;
 mod thing;
@@ -10,8 +11,9 @@ use std::rc::Rc;
 
 use giveway_model::Cell;
 
+pub(crate) use canvas::Canvas;
 pub(crate) use shaped::{Ink, Shaped};
-pub(crate) use stroke::{Canvas, Hold, Stroke};
+pub(crate) use stroke::{Hold, Stroke};
 pub(crate) use thing::Thing;
 
 /// What the hand is doing on the board.

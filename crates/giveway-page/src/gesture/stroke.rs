@@ -2,12 +2,10 @@
 
 use std::rc::Rc;
 
+use giveway_model::Cell;
 use giveway_model::words::Sentence;
-use giveway_model::{Cell, Grid};
 
-use super::{Shaped, Thing};
-use crate::Draft;
-use crate::changing::Changing;
+use super::{Canvas, Shaped, Thing};
 use crate::edit::{Edit, Paint, RuleEdit, Sketch};
 use crate::line::line;
 
@@ -49,49 +47,6 @@ pub(crate) struct Stroke {
     pub(crate) canvas: Canvas,
     /// Why a part of it was refused.
     pub(crate) refused: Option<Sentence>,
-}
-
-/// What a stroke is made on, with what has come of it so far.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Canvas {
-    /// The scene.
-    Scene {
-        before: Rc<Draft>,
-        sketch: Rc<Sketch>,
-        shown: Rc<Draft>,
-    },
-    /// The world as it changes.
-    World {
-        before: Rc<Changing>,
-        after: Rc<Changing>,
-    },
-}
-
-impl Canvas {
-    pub(crate) fn scene(before: &Rc<Draft>) -> Self {
-        Self::Scene {
-            before: Rc::clone(before),
-            sketch: Rc::new(Sketch::of(before)),
-            shown: Rc::clone(before),
-        }
-    }
-
-    pub(crate) fn world(before: &Rc<Changing>) -> Self {
-        Self::World {
-            before: Rc::clone(before),
-            after: Rc::clone(before),
-        }
-    }
-}
-
-impl Canvas {
-    /// The map before the stroke.
-    fn grid_before(&self) -> &Grid {
-        match self {
-            Self::Scene { before, .. } => before.grid(),
-            Self::World { before, .. } => before.draft().grid(),
-        }
-    }
 }
 
 impl Stroke {

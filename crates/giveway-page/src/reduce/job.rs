@@ -4,7 +4,7 @@
 use giveway_model::tr_data;
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, freedom, inside, ledger, planners, proof, rules, solve};
+use super::{ask, change, freedom, inside, ledger, planners, prices, proof, solve};
 use crate::{Adapting, Notice, Size, Solving, State, Task, WorkerAction};
 
 /// A worker tells of a job.
@@ -56,7 +56,7 @@ fn progress(state: &mut State, id: u64, event: Progress) {
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
-        (Task::Price(..), Progress::Priced { answer }) => rules::learn(state, *answer),
+        (Task::Price(..), Progress::Priced { answer }) => prices::learn(state, *answer),
         (Task::Delays(_), Progress::Delays { answer }) => ledger::learn(state, *answer),
         _ => {}
     }
@@ -76,7 +76,7 @@ fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
-        (Task::Price(..), Response::Priced(answer)) => rules::learn(state, *answer),
+        (Task::Price(..), Response::Priced(answer)) => prices::learn(state, *answer),
         (Task::Delays(_), Response::Delays(answer)) => ledger::learn(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),

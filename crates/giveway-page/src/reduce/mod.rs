@@ -18,6 +18,7 @@ mod lesson;
 mod planners;
 mod play;
 mod press;
+mod prices;
 mod proof;
 mod rules;
 mod slot;

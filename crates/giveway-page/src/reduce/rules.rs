@@ -4,12 +4,11 @@ use std::rc::Rc;
 
 use giveway_model::words::Sentence;
 use giveway_model::{Constraint, Question, tr_data};
-use giveway_solve::price::PriceAnswer;
 
-use super::{ask, document, solve};
+use super::{ask, document, prices, solve};
 use crate::gesture::Hold;
-use crate::rules::{Lit, Pricing, RuleAction, Slot, Value, Writing, request};
-use crate::{Edit, RuleEdit, Selection, State, Tab, Task, Tool};
+use crate::rules::{Lit, RuleAction, Slot, Value, Writing};
+use crate::{Edit, RuleEdit, Selection, State, Tab, Tool};
 
 pub(super) fn rules(state: &mut State, action: RuleAction) {
     let writing = state.view.rules.writing.clone();
@@ -86,7 +85,7 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
         }
         RuleAction::Cancel => state.view.rules.writing = None,
         RuleAction::Price if state.is_pricing() => solve::cancel(state),
-        RuleAction::Price => price(state),
+        RuleAction::Price => prices::price(state),
     }
 }
 
@@ -259,30 +258,6 @@ pub(super) fn takes_cell(state: &mut State, selection: Selection) -> bool {
     }
     state.view.rules.writing = None;
     false
-}
-
-/// Asks what each rule costs.
-fn price(state: &mut State) {
-    if !state.can_write_rules() || state.document.draft.instance().is_err() {
-        let why = tr_data!("What the rules cost cannot be found out for this scene.");
-        return ask::refuse(state, why);
-    }
-    ask::close(state);
-    state.view.notice = None;
-    let request = request(state);
-    let draft = Rc::clone(&state.document.draft);
-    state.view.rules.prices = Some(Rc::new(Pricing {
-        draft: Rc::clone(&draft),
-        told: None,
-    }));
-    state.work.start(Task::Price(draft, Rc::new(request)));
-}
-
-/// More became known of the prices.
-pub(super) fn learn(state: &mut State, told: PriceAnswer) {
-    if let Some(prices) = &mut state.view.rules.prices {
-        Rc::make_mut(prices).told = Some(Rc::new(told));
-    }
 }
 
 /// What is written and lit is about what there is.

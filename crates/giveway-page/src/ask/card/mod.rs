@@ -5,6 +5,7 @@ mod coming;
 mod costs;
 mod could;
 mod groups;
+mod late;
 mod parts;
 mod pays;
 mod pieces;

@@ -4,13 +4,11 @@
 use giveway_model::{Cost, Question, check, condition::Clause, tr};
 use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Part, Verdict};
 
+use super::late::{late, who_is_late};
 use super::parts::VerdictPart;
 use super::pieces::pieces;
 use crate::ask::signs::{badge, verdict_words};
 use crate::{Asking, State, words};
-
-/// The most words of the sentence, where it is made here.
-const MOST_WORDS: usize = 30;
 
 /// The verdict as far as it is known; nothing before anything is.
 pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> Option<VerdictPart> {
@@ -199,7 +197,7 @@ fn needless(told: &ExplainAnswer) -> Option<String> {
     })
 }
 
-/// One sentence of at most [`MOST_WORDS`] words; nothing where too little is known to make it.
+/// One sentence of at most 30 words; nothing where too little is known to make it.
 fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
     if is_of_a_whole(told) {
         return None;
@@ -222,66 +220,6 @@ fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
             })
         }
     }
-}
-
-/// Who would arrive later, the first by name. Nothing where the plans are the same.
-fn who_is_late(told: &ExplainAnswer, clause: Option<&Clause>) -> Option<String> {
-    if told.pays.is_empty() {
-        return None;
-    }
-    let late: Vec<&AgentDifference> = late(told).collect();
-    let Some(first) = late.first() else {
-        return Some(match clause {
-            Some(Clause { would, .. }) => {
-                let short = tr!("If {would}, nobody would arrive later.", would);
-                if is_short(&short) {
-                    short
-                } else {
-                    tr!("Nobody would arrive later.").to_owned()
-                }
-            }
-            None => tr!("Nobody would arrive later.").to_owned(),
-        });
-    };
-    let AgentDifference {
-        agent: name,
-        arrival,
-        other,
-        ..
-    } = first;
-    let plain = tr!(
-        "{name} would arrive at {other} instead of {arrival}.",
-        name,
-        other,
-        arrival
-    );
-    let main = clause.map(|Clause { would, .. }| {
-        tr!(
-            "If {would}, {name} would arrive at {other} instead of {arrival}.",
-            would,
-            name,
-            other,
-            arrival
-        )
-    });
-    let main = main.filter(|main| is_short(main)).unwrap_or(plain);
-    let more = late.len() as u32 - 1;
-    let whole = if more == 0 {
-        main.clone()
-    } else {
-        let more = tr!("{n} other would be late, too." | "{n} others would be late, too." % more);
-        format!("{main} {more}")
-    };
-    Some(if is_short(&whole) { whole } else { main })
-}
-
-/// The robots that arrive later in the other plan, those that lose most first.
-fn late(told: &ExplainAnswer) -> impl Iterator<Item = &AgentDifference> {
-    told.pays.iter().filter(|it| it.other > it.arrival)
-}
-
-fn is_short(sentence: &str) -> bool {
-    sentence.split_whitespace().count() <= MOST_WORDS
 }
 
 /// The contrast of the question as a clause; `None` where it has none, or a number in it is not

@@ -1,16 +1,21 @@
 //! Where the reasons of an answer are on the map.
 
+mod audit;
+mod groups;
+
 use giveway_model::Cell;
 use giveway_model::check::Violation;
-use giveway_solve::explain::{Core, ExplainAnswer, Fact, FactGroupKind, FactKind};
+use giveway_solve::explain::{Core, Fact, FactKind};
 
 use super::place::last_cell;
 use super::star::middle;
 use super::{CELL, ConflictPlace};
-use crate::ask::{GroupMark, group_mark, instead, numbers_facts, numbers_groups};
-use crate::audit::Audit;
+use crate::ask::{instead, numbers_facts, numbers_groups};
 use crate::steering::Steering;
-use crate::{Asking, Lit, MAX_SIDE, State};
+use crate::{Asking, Lit, State};
+
+use audit::in_audit;
+use groups::in_groups;
 
 /// A number on the map: the same as in the list beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,15 +107,6 @@ const SPOTS: usize = 12;
 
 /// What would go wrong that is drawn beside the numbers of groups.
 const WOULD_BE: usize = 3;
-
-/// The places of the time shown that are drawn.
-const NOW: usize = 200;
-
-/// So many broken rules before and after the time shown are looked at.
-const AROUND: usize = 100;
-
-/// The places of other times that are drawn.
-const LATER: usize = 8;
 
 /// From the middle of a cell to a number in its corner, across and down, in units.
 const CORNER: f64 = 34.0;
@@ -210,44 +206,6 @@ fn would_be<'a>(reasons: &mut Reasons, violations: impl Iterator<Item = &'a Viol
     }
 }
 
-/// Numbers of the groups of facts; the cells and robots of the one that is lit up.
-fn in_groups(reasons: &mut Reasons, asking: &Asking, told: &ExplainAnswer, state: &State) {
-    let violations = asking.violations().map(|(_, violation)| violation);
-    would_be(reasons, violations);
-    let Some(core) = &told.core else { return };
-    let agents = state.world().agents();
-    let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
-    for (number, group) in core.groups.iter().enumerate() {
-        let is_lit = asking.lit == Some(Lit::Group(number));
-        let middle_of = |cells: &[Cell]| cells.get(cells.len() / 2).copied();
-        let robot = group.agents.first().and_then(index);
-        let at = match (middle_of(&group.cells), robot) {
-            (Some(cell), _) => Some(middle(cell)),
-            (None, Some(robot)) if group.kind == FactGroupKind::Agent => {
-                super::place_of(state, robot).map(|cell| corner(middle(cell)))
-            }
-            (None, _) => None,
-        };
-        if let Some(at) = at {
-            reasons.spots.push(Spot {
-                number: number + 1,
-                at: apart(&reasons.spots, at),
-                is_lit,
-                sign: match group_mark(group) {
-                    GroupMark::Helps => SpotSign::Helps,
-                    GroupMark::Needed | GroupMark::Open => SpotSign::Needed,
-                },
-            });
-        }
-        if is_lit {
-            let cells = group.cells.iter();
-            let cells = cells.map(|&cell| Place { cell, is_lit });
-            reasons.places.extend(cells);
-            reasons.agents = group.agents.iter().filter_map(index).collect();
-        }
-    }
-}
-
 /// The robots that the row or the fact that is lit up is about, by their indices; all others are
 /// faded. `None` where nothing is lit up.
 pub fn lit(state: &State) -> Option<Vec<usize>> {
@@ -311,44 +269,6 @@ fn bursts(state: &State) -> Vec<ConflictPlace> {
         }
     }
     bursts
-}
-
-/// What is against the rules of a plan of elsewhere: frames at the time shown, and
-/// dotted ones at other times, the nearest first.
-fn in_audit(reasons: &mut Reasons, audit: &Audit, time: u32) {
-    for violation in audit.plan.now(time) {
-        let Some(burst) = ConflictPlace::of(violation) else {
-            continue;
-        };
-        if reasons.bursts.len() < NOW && !reasons.bursts.contains(&burst) {
-            reasons.bursts.push(burst);
-            let on_page = |cell: &Cell| cell.x < MAX_SIDE && cell.y < MAX_SIDE;
-            reasons.frames.extend(violation.cell.filter(on_page));
-        }
-    }
-    let others = audit.plan.around(time, AROUND).iter();
-    let mut others: Vec<&Violation> = others.filter(|violation| violation.time != time).collect();
-    others.sort_by_key(|violation| violation.time.abs_diff(time));
-    for violation in others {
-        if reasons.later.len() == LATER {
-            break;
-        }
-        let is_now = violation
-            .cell
-            .is_some_and(|cell| reasons.frames.contains(&cell));
-        let is_new = |at: &(f64, f64)| {
-            !is_now
-                && reasons.bursts.iter().all(|burst| burst.middle() != *at)
-                && reasons.later.iter().all(|later| later.at != *at)
-        };
-        if let Some(at) = place(violation).filter(is_new) {
-            reasons.later.push(Later {
-                at,
-                is_cell: violation.cell.is_some(),
-                time: violation.time,
-            });
-        }
-    }
 }
 
 /// Whether the plan asked about is the one that is shown.

@@ -1,0 +1,67 @@
+//! Who arrives later in the other plan, in one short sentence.
+
+use giveway_model::{condition::Clause, tr};
+use giveway_solve::explain::{AgentDifference, ExplainAnswer};
+
+/// The most words of the sentence, where it is made here.
+const MOST_WORDS: usize = 30;
+
+/// Who would arrive later, the first by name. Nothing where the plans are the same.
+pub(super) fn who_is_late(told: &ExplainAnswer, clause: Option<&Clause>) -> Option<String> {
+    if told.pays.is_empty() {
+        return None;
+    }
+    let late: Vec<&AgentDifference> = late(told).collect();
+    let Some(first) = late.first() else {
+        return Some(match clause {
+            Some(Clause { would, .. }) => {
+                let short = tr!("If {would}, nobody would arrive later.", would);
+                if is_short(&short) {
+                    short
+                } else {
+                    tr!("Nobody would arrive later.").to_owned()
+                }
+            }
+            None => tr!("Nobody would arrive later.").to_owned(),
+        });
+    };
+    let AgentDifference {
+        agent: name,
+        arrival,
+        other,
+        ..
+    } = first;
+    let plain = tr!(
+        "{name} would arrive at {other} instead of {arrival}.",
+        name,
+        other,
+        arrival
+    );
+    let main = clause.map(|Clause { would, .. }| {
+        tr!(
+            "If {would}, {name} would arrive at {other} instead of {arrival}.",
+            would,
+            name,
+            other,
+            arrival
+        )
+    });
+    let main = main.filter(|main| is_short(main)).unwrap_or(plain);
+    let more = late.len() as u32 - 1;
+    let whole = if more == 0 {
+        main.clone()
+    } else {
+        let more = tr!("{n} other would be late, too." | "{n} others would be late, too." % more);
+        format!("{main} {more}")
+    };
+    Some(if is_short(&whole) { whole } else { main })
+}
+
+/// The robots that arrive later in the other plan, those that lose most first.
+pub(super) fn late(told: &ExplainAnswer) -> impl Iterator<Item = &AgentDifference> {
+    told.pays.iter().filter(|it| it.other > it.arrival)
+}
+
+pub(super) fn is_short(sentence: &str) -> bool {
+    sentence.split_whitespace().count() <= MOST_WORDS
+}
