@@ -76,7 +76,7 @@ describe("an agent is led by hand", () => {
     await playground.press("Check my plan");
     await answers(playground, /Improvable[^]*A1 waits 1 step less/);
     await playground.picture("steering-improvable");
-    await playground.press("Show the other plan");
+    await playground.press("Show it");
     await playground.press("Take the other plan");
     await playground.says(/^Optimal: makespan 3/);
     await playground.act("Undo");

@@ -3,6 +3,7 @@
 use giveway_model::tr;
 
 use super::{Measure, Shape};
+use crate::gesture::Stroke;
 use crate::{State, Tool};
 
 /// A number that is set before drawing, with the words around it.
@@ -49,7 +50,7 @@ pub fn row(state: &State) -> Option<Row> {
         shape,
         fields: fields(tool, shape),
         remark: remark(state, shape),
-        drawn: state.stroke().and_then(|stroke| stroke.drawn()),
+        drawn: state.stroke().and_then(Stroke::drawn),
     })
 }
 
