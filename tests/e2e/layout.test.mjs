@@ -199,7 +199,7 @@ describe("the layout", () => {
     await playground.picture("no-way-to-go-on");
     // The answer beside them offers repairs, and the first of them is the next step.
     await eventually("one next step", () => filled(page), (names) => names.length === 1 && /^Remove the obstacle at \(4, 0\)/.test(names[0]));
-    await page.getByRole("region", { name: "What would help" }).getByRole("button", { name: /^Take back: / }).click();
+    await page.getByRole("region", { name: "What you could try" }).getByRole("button", { name: /^Take back: / }).click();
     await eventually("the columns to be gone", () => replan.count(), (count) => count === 0);
     await playground.cellTells(4, 0, /^free/);
   }, { screens, reducedMotion });

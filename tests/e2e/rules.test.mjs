@@ -207,7 +207,7 @@ describe("rules that are there", () => {
       await playground.picture(`rule-question-${theme}`);
       await audit(playground, "a rule that is asked about");
       await inspector.getByRole("button", { name: "Ask", exact: true }).click();
-      await eventually("the answer", () => inspector.innerText(), (text) => /Why not[^]*each cell stays free for 1 step behind any robot/i.test(text));
+      await eventually("the answer", () => inspector.innerText(), (text) => /^Back\nWhy is it not so: "Each cell stays free for 1 step behind any robot"[^]*Who pays/.test(text));
       await playground.picture(`rule-asked-${theme}`);
     }, { screens, theme });
   }

@@ -248,11 +248,17 @@ impl Asking {
             _ if is_least => Status::Optimal,
             _ => Status::Feasible,
         };
+        // A plan that is no worse is the best so far of a search that was stopped.
+        let by_costs = |costs: &Costs| objective.iter().map(|&cost| costs.get(cost)).collect();
+        let (mine, other): (Vec<u32>, Vec<u32>) = (by_costs(&before), by_costs(&costs));
+        let ended = solved
+            .ended
+            .filter(|_| status == Status::Feasible && other <= mine);
         let answer = SolveAnswer {
             status,
             costs: Some(costs),
             plan: Some(plan),
-            ended: None,
+            ended,
             // It was asked for, not searched for: where the best plan is known, this is not it.
             reason: (solved.status == Status::Optimal && status == Status::Feasible)
                 .then_some(Reason::Beaten),

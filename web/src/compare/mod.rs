@@ -28,7 +28,7 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     }
 }
 
-/// What would help where no method has a plan.
+/// What can be tried where no method has a plan.
 fn help(state: &State, send: &Callback<Action>) -> Html {
     let fixes = fixes(state);
     if fixes.is_empty() {
@@ -63,8 +63,8 @@ fn help(state: &State, send: &Callback<Action>) -> Html {
         }
     };
     html! {
-        <section class="fixes" aria-label={tr!("What would help")}>
-            <h3>{ tr!("No method has a plan. What would help") }</h3>
+        <section class="fixes" aria-label={tr!("What you could try")}>
+            <h3>{ tr!("No method has a plan. What you could try") }</h3>
             <ul class="repairs">{ for fixes.iter().enumerate().map(one) }</ul>
         </section>
     }

@@ -87,6 +87,6 @@ fn field(
     });
     html! {
         <input class="num1" type="text" inputmode="numeric" autocomplete="off" aria-label={name}
-            title={number::possible(range)} placeholder={tr!("several robots" => "no limit")} value={shown} {onchange} />
+            title={number::possible(range)} placeholder={tr!("several robots" => "none")} value={shown} {onchange} />
     }
 }

@@ -140,7 +140,7 @@ fn fill(column: &mut Column, state: &State, told: &DelaysAnswer) {
         .collect();
     column.ask = largest(told).map(|(question, n)| {
         let text = tr!(
-            "Why must {agent} lose {n}?",
+            "Why does {agent} lose {n}?",
             agent = question.agent().unwrap_or_default(),
             n
         );

@@ -51,7 +51,9 @@ pub(super) fn who_is_late(told: &ExplainAnswer, clause: Option<&Clause>) -> Opti
     let whole = if more == 0 {
         main.clone()
     } else {
-        let more = tr!("{n} other would be late, too." | "{n} others would be late, too." % more);
+        let more = tr!(
+            "{n} other would arrive later, too." | "{n} others would arrive later, too." % more
+        );
         format!("{main} {more}")
     };
     Some(if is_short(&whole) { whole } else { main })

@@ -1,4 +1,4 @@
-//! What would help where no method has a plan.
+//! What can be tried where no method has a plan.
 
 use giveway_model::tr;
 use giveway_solve::Status;
@@ -7,7 +7,7 @@ use crate::State;
 use crate::changing::{Choice, Tried, WIDEST};
 use crate::words::change;
 
-/// What would help where no method has a plan.
+/// What can be tried where no method has a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fix {
     /// Takes a listed change back, by its index: what it is, in words.
@@ -18,7 +18,7 @@ pub enum Fix {
     Longer(u32),
 }
 
-/// What would help, the likeliest first; nothing where a method has a plan, or
+/// What can be tried, the likeliest first; nothing where a method has a plan, or
 /// nothing is compared.
 pub fn fixes(state: &State) -> Vec<Fix> {
     let Some(comparing) = state.document.mode.comparing() else {

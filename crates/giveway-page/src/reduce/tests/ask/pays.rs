@@ -69,7 +69,8 @@ fn the_sentence_is_never_long() {
     let sentence = card.verdict.unwrap().sentence;
     assert!(words(&sentence) <= 30, "{sentence}");
     assert!(
-        sentence.ends_with("B0 would arrive at 20 instead of 10. 8 others would be late, too."),
+        sentence
+            .ends_with("B0 would arrive at 20 instead of 10. 8 others would arrive later, too."),
         "{sentence}"
     );
 }
