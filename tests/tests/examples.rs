@@ -10,15 +10,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use giveway_model::format::native;
-use giveway_model::{Cell, Instance};
-use giveway_solve::{SolveAnswer, Status};
+use giveway_model::{Cell, Cost, Instance};
+use giveway_solve::price::{Price, PriceRequest};
+use giveway_solve::{Request, Response, SilentHost, SolveAnswer, Status, serve};
 use giveway_tests::ask;
+use giveway_tests::rules_random::KINDS;
 
 /// What is known of an example: its file; makespan, sum of costs and charges of
 /// the best plan, or that there is none.
 type Promise = (&'static str, Option<[u32; 3]>);
 
-const PROMISES: [Promise; 21] = [
+const PROMISES: [Promise; 34] = [
     ("warehouse", Some([18, 35, 3])),
     ("scenario-1", Some([4, 7, 0])),
     ("scenario-6", None),
@@ -40,6 +42,37 @@ const PROMISES: [Promise; 21] = [
     ("rooms", Some([47, 569, 0])),
     ("maze", Some([92, 526, 0])),
     ("large-warehouse", Some([174, 3196, 0])),
+    ("rule-capacity", Some([10, 23, 0])),
+    ("rule-closed", Some([10, 16, 0])),
+    ("rule-one-way", Some([11, 18, 0])),
+    ("rule-gap", Some([7, 20, 0])),
+    ("rule-apart", Some([7, 13, 0])),
+    ("rule-sequence", Some([14, 22, 0])),
+    ("rule-visit", Some([8, 10, 0])),
+    ("rule-arrive", Some([8, 20, 0])),
+    ("rule-depart", Some([8, 16, 0])),
+    ("rule-before", Some([8, 16, 0])),
+    ("rule-no-waiting", Some([7, 15, 0])),
+    ("rule-turns", Some([11, 19, 0])),
+    ("rule-avoid", Some([8, 16, 0])),
+];
+
+/// Examples of one rule each: its kind; makespan and sum of costs of the best plan
+/// without it.
+const RULES: [(&str, [u32; 2]); 13] = [
+    ("capacity", [8, 21]),
+    ("closed", [7, 10]),
+    ("one-way", [7, 10]),
+    ("gap", [6, 17]),
+    ("apart", [6, 12]),
+    ("sequence", [8, 16]),
+    ("visit", [6, 8]),
+    ("arrive", [7, 20]),
+    ("depart", [5, 9]),
+    ("before", [8, 14]),
+    ("no-waiting", [7, 14]),
+    ("turns", [8, 13]),
+    ("avoid", [6, 12]),
 ];
 
 /// Examples whose lines tell how many waits there are.
@@ -83,6 +116,31 @@ fn each_is_solved_as_its_line_says() {
         if let Some((_, waits)) = WAITS.iter().find(|(waiting, _)| *waiting == name) {
             assert_eq!(costs.map(|c| c.waits), Some(*waits), "{name}");
         }
+    }
+}
+
+/// Each kind of rule has an example, whose rule is not free.
+#[test]
+fn each_rule_costs_what_its_line_says() {
+    // A late arrival is one of kind `arrive`, with a weight.
+    let kinds = KINDS.into_iter().filter(|&kind| kind != "late");
+    let seen = RULES.into_iter().map(|(kind, _)| kind);
+    assert_eq!(seen.collect::<Vec<_>>(), kinds.collect::<Vec<_>>());
+    for (kind, without) in RULES {
+        let request = PriceRequest {
+            scene: example(&format!("rule-{kind}")).to_scene(),
+            ..PriceRequest::default()
+        };
+        let Response::Priced(answer) = serve(&Request::Price(request), &SilentHost) else {
+            panic!("no prices of {kind}");
+        };
+        let [price] = answer.prices.as_slice() else {
+            panic!("{kind}: {:?}", answer.prices);
+        };
+        assert_eq!((price.kind.as_str(), price.price), (kind, Price::Costs));
+        assert!(price.exact, "{kind}");
+        let found = [Cost::Makespan, Cost::SumOfCosts].map(|cost| price.without[&cost]);
+        assert_eq!(found, without, "{kind}");
     }
 }
 

@@ -21,6 +21,8 @@ struct Listed {
     file: String,
     title: String,
     line: String,
+    #[serde(default)]
+    group: String,
 }
 
 fn folder() -> PathBuf {
@@ -62,15 +64,21 @@ fn every_example_can_be_opened() {
 #[test]
 fn the_list_of_the_page_has_the_same_scenes() {
     let mut list = String::new();
+    let mut group = String::new();
     for example in listed() {
+        if example.group != group {
+            group.clone_from(&example.group);
+            // Writing to a string cannot fail.
+            let _ = writeln!(list, "# {group}");
+        }
         let state = State::new(Draft::new(scene(&example)).unwrap());
         let link = link::write(&state);
-        // Writing to a string cannot fail.
         let _ = writeln!(list, "{}\n{}\n{link}", example.title, example.line);
     }
     expect_file![folder().join("examples.txt")].assert_eq(&list);
     let read = examples::read(&list).unwrap();
     for (example, listed) in read.iter().zip(listed()) {
         assert_eq!(example.scene().unwrap(), scene(&listed), "{}", listed.file);
+        assert_eq!(example.group, listed.group, "{}", listed.file);
     }
 }

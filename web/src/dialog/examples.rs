@@ -45,12 +45,27 @@ pub(crate) fn Examples(props: &ExamplesProps) -> Html {
         None => html! { <p>{ tr!("Loading\u{2026}") }</p> },
         Some(Err(error)) => html! { <p>{ tr!("The list did not arrive: {error}", error) }</p> },
         Some(Ok(list)) => html! {
-            <ul class="picks">
-                { for list.iter().map(|example| pick(example, &choose)) }
-            </ul>
+            <>
+                { for list.chunk_by(|one, next| one.group == next.group).map(|group| section(group, &choose)) }
+            </>
         },
     };
     html! { <Frame title={tr!("Examples")} on_close={on_close.clone()}>{ body }</Frame> }
+}
+
+/// The examples of one group below its heading.
+fn section(group: &[Example], choose: &Callback<Example>) -> Html {
+    let heading = group.first().map_or("", |example| &example.group);
+    html! {
+        <>
+            if !heading.is_empty() {
+                <h3>{ heading }</h3>
+            }
+            <ul class="picks">
+                { for group.iter().map(|example| pick(example, choose)) }
+            </ul>
+        </>
+    }
 }
 
 fn pick(example: &Example, choose: &Callback<Example>) -> Html {
