@@ -8,7 +8,8 @@ import { eventually } from "./wait.mjs";
 export class Tour {
   /** What its steps are called. */
   static TITLES = [
-    "Play the plan", "Click a robot that waits", "Ask why it waits", "Change the scene", "Solve it again", "Go on with the course",
+    "Play the plan", "Click a robot that waits", "Ask why it waits", "Change the scene", "Solve it again", "Add a rule",
+    "Go on with the course",
   ];
 
   constructor(playground) {

@@ -170,8 +170,21 @@ describe("the tour", () => {
     await tour.pointsAt(playground.solver);
     await playground.picture("tour-solve");
     await playground.press("Solve");
-    await tour.at("Go on with the course");
+    await tour.at("Add a rule");
     await playground.says(/^Optimal: makespan 8/);
+    await tour.pointsAt(playground.tools.getByRole("button", { name: "Zone" }));
+    await playground.pick("Zone");
+    await tour.pointsAt(playground.cell(3, 1));
+    await playground.stroke([3, 1], [4, 1]);
+    const add = playground.inspector.getByRole("button", { name: "Add the rule" });
+    await tour.pointsAt(add);
+    await playground.picture("tour-rule");
+    await add.click();
+    const price = playground.inspector.getByRole("button", { name: "What do the rules cost?" });
+    await tour.pointsAt(price);
+    await price.click();
+    await tour.at("Go on with the course");
+    await playground.inspector.getByText("+1 step", { exact: true }).waitFor();
     await tour.pointsAt(playground.button(playground.isPhone() ? "More" : "Course"));
     await playground.picture("tour-course");
     await playground.act("Course");
@@ -189,7 +202,7 @@ describe("the tour", () => {
     await tour.fromHelp();
     for (const [index, title] of Tour.TITLES.entries()) {
       await tour.at(title);
-      await tour.card.getByText(`${index + 1} of 6`).waitFor();
+      await tour.card.getByText(`${index + 1} of 7`).waitFor();
       await tour.press("Show me");
     }
     await course.contents.waitFor();
@@ -216,6 +229,13 @@ describe("the tour", () => {
     await playground.key("o", "Control+Home", ...Array(6).fill("ArrowRight"), "ArrowDown", "Enter");
     await tour.at("Solve it again");
     await playground.key("Control+Enter");
+    await tour.at("Add a rule");
+    await playground.board.focus();
+    await playground.key("z", "Control+Home", ...Array(3).fill("ArrowRight"), "ArrowDown", "Space");
+    await course.tabTo(/^Add the rule$/);
+    await playground.key("Enter");
+    await course.tabTo(/^What do the rules cost\?$/);
+    await playground.key("Enter");
     await tour.at("Go on with the course");
     if (playground.isPhone()) {
       await course.tabTo(/^More$/);

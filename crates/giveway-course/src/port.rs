@@ -7,7 +7,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::change::Changes;
 use giveway_model::check::Violation;
-use giveway_model::{Cell, Plan, Scene};
+use giveway_model::{Cell, Constraint, Plan, Scene, Zone};
 use giveway_solve::change::Method;
 
 use crate::lesson::{Layer, Tool};
@@ -124,6 +124,10 @@ pub enum Deed {
     Paint(Cell),
     /// Solves the scene.
     Solve,
+    /// Marks a zone and adds a rule.
+    Rule(Zone, Constraint),
+    /// Asks what the rules cost.
+    Price,
 }
 
 /// A robot or a cell.
@@ -208,6 +212,14 @@ pub struct Sight {
     pub is_edited: bool,
     /// Whether the scene is solved as it is.
     pub is_solved: bool,
+    /// Whether the tool for zones is picked.
+    pub marks: bool,
+    /// Whether a rule is being written.
+    pub is_writing: bool,
+    /// Whether the scene has a rule of its own.
+    pub is_ruled: bool,
+    /// Whether the prices of these rules are told.
+    pub is_priced: bool,
 }
 
 /// What a person pointed at.

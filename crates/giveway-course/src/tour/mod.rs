@@ -1,4 +1,4 @@
-//! The tour of the page: six steps on the real page, each of which ends when a person
+//! The tour of the page: seven steps on the real page, each of which ends when a person
 //! has done it, as plain data with a pure reducer.
 //!
 //! A person's own page is put aside for it, as for a lesson: on the scene of the tour
@@ -6,7 +6,9 @@
 
 mod step;
 
-use giveway_model::{Agent, Cell, Scene};
+use giveway_model::condition::Times;
+use giveway_model::constraint::ConstraintKind;
+use giveway_model::{Agent, Cell, Constraint, Scene, Zone, tr};
 
 use crate::lesson::Layer;
 use crate::port::{Board, BoardNumber, BoardPlan, Deed, FromPage, Hand, Happened, Sight, ToPage};
@@ -24,6 +26,9 @@ const ROBOT: &str = "A1";
 const WAITS: Cell = Cell::new(4, 0);
 /// The cell to be closed, which is on its way: there is another one around it.
 const CLOSED: Cell = Cell::new(6, 1);
+
+/// The cells of the zone of the rule, where the robots pass one after the other.
+const MARKED: [Cell; 2] = [Cell::new(3, 1), Cell::new(4, 1)];
 
 /// The tour, on its way.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +106,10 @@ impl Tour {
             Step::Close if self.sight.paints => Target::Cell(CLOSED),
             Step::Close => Target::Obstacle,
             Step::Solve => Target::Solve,
+            Step::Rule if self.sight.is_writing => Target::AddRule,
+            Step::Rule if self.sight.is_ruled => Target::Price,
+            Step::Rule if self.sight.marks => Target::Cell(MARKED[0]),
+            Step::Rule => Target::Zone,
             Step::GoOn => Target::Course,
         }
     }
@@ -169,6 +178,12 @@ impl Tour {
             Step::Ask => vec![ToPage::Go(0), select(), ToPage::Do(Deed::Ask)],
             Step::Close => vec![ToPage::Do(Deed::Paint(CLOSED))],
             Step::Solve => vec![ToPage::Do(Deed::Solve)],
+            Step::Rule => {
+                let (zone, rule) = rule();
+                let add = (!self.sight.is_ruled).then_some(Deed::Rule(zone, rule));
+                let deeds = add.into_iter().chain([Deed::Price]);
+                deeds.map(ToPage::Do).collect()
+            }
             Step::GoOn => Vec::new(),
         };
         effects.extend(says.into_iter().map(Effect::Page));
@@ -189,6 +204,23 @@ impl Tour {
             hand: Hand::Tours,
         })))
     }
+}
+
+/// The rule that the tour adds, with its zone: one robot at a time where the robots pass.
+pub fn rule() -> (Zone, Constraint) {
+    let name = tr!("the name of a zone" => "zone {number}", number = 1);
+    let kind = ConstraintKind::Capacity {
+        zone: name.clone(),
+        most: 1,
+        times: Times::default(),
+    };
+    let rule = Constraint {
+        kind,
+        agents: None,
+        name: None,
+        off: false,
+    };
+    (Zone::of(&name, MARKED.to_vec()), rule)
 }
 
 /// The scene of the tour: one robot comes out of a bay when another one passes by. In the

@@ -1,4 +1,4 @@
-//! The six steps: what each says, when it is done, what it points at.
+//! The seven steps: what each says, when it is done, what it points at.
 
 use giveway_model::{Cell, tr};
 
@@ -17,6 +17,8 @@ pub enum Step {
     Close,
     /// The scene is solved again.
     Solve,
+    /// A rule is added, and its price is asked for.
+    Rule,
     /// The course is opened.
     GoOn,
 }
@@ -34,18 +36,25 @@ pub enum Target {
     Obstacle,
     /// The button that solves.
     Solve,
+    /// The tool for zones.
+    Zone,
+    /// The button that adds the rule which is being written.
+    AddRule,
+    /// The button that asks what the rules cost.
+    Price,
     /// The button that opens the course.
     Course,
 }
 
 impl Step {
     /// All of them, in order.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Watch,
         Self::Select,
         Self::Ask,
         Self::Close,
         Self::Solve,
+        Self::Rule,
         Self::GoOn,
     ];
 
@@ -69,6 +78,7 @@ impl Step {
             Self::Ask => sight.is_asking,
             Self::Close => sight.is_edited,
             Self::Solve => sight.is_solved,
+            Self::Rule => sight.is_priced,
             Self::GoOn => false,
         }
     }
@@ -86,6 +96,7 @@ impl Step {
             Self::Ask => tr!("Ask why it waits"),
             Self::Close => tr!("Change the scene"),
             Self::Solve => tr!("Solve it again"),
+            Self::Rule => tr!("Add a rule"),
             Self::GoOn => tr!("Go on with the course"),
         }
     }
@@ -112,8 +123,12 @@ impl Step {
                 "The scene has changed since this plan. Press Solve: you get the best plan, or a \
                  proof that there is none."
             ),
+            Self::Rule => tr!(
+                "Pick the tool for zones and draw over the cells (3, 1) and (4, 1). Add the rule: \
+                 one robot at a time. Then ask what the rules cost."
+            ),
             Self::GoOn => tr!(
-                "The answer stands above the board. In the course you find out how it is found: \
+                "The price stands beside the rule. In the course you find out how it is found: \
                  short lessons, and something to do in each."
             ),
         }

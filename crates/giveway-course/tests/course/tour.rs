@@ -2,7 +2,7 @@
 //! scene is so.
 
 use giveway_course::port::{BoardNumber, Deed, FromPage, Happened, Sight, ToPage};
-use giveway_course::tour::{Action, Effect, FIRST, Step, Target, Tour, begin, reduce, scene};
+use giveway_course::tour::{Action, Effect, FIRST, Step, Target, Tour, begin, reduce, rule, scene};
 use giveway_model::{Cell, Scene};
 use giveway_solve::freedom::{FreedomRequest, PlanCount};
 use giveway_solve::{Request, Response, SilentHost, SolveAnswer, SolveRequest, Status, serve};
@@ -59,6 +59,7 @@ fn at(step: Step) -> (Tour, Sight) {
             Step::Ask => sight.is_asking = true,
             Step::Close => (sight.is_edited, sight.is_solved) = (true, false),
             Step::Solve => sight.is_solved = true,
+            Step::Rule => (sight.is_ruled, sight.is_priced) = (true, true),
             Step::GoOn => {}
         }
         tour = saw(tour, &sight).0;
@@ -72,7 +73,7 @@ fn what_it_says_of_its_scene_is_so() {
     let open = solved(scene());
     assert_eq!(open.status, Status::Optimal);
     let (waits, way) = (Cell::new(4, 0), Cell::new(6, 1));
-    let plan = open.plan.unwrap();
+    let plan = open.plan.clone().unwrap();
     let path = |name: &str| &plan.paths[name];
     assert_eq!(path("A1")[..2], [Some(waits); 2], "A1 waits at once");
     assert_ne!(path("A2")[0], path("A2")[1], "A2 does not");
@@ -80,6 +81,7 @@ fn what_it_says_of_its_scene_is_so() {
     let texts: Vec<&str> = Step::ALL.into_iter().map(Step::text).collect();
     assert!(texts[1].contains("A1 wears a pause sign"));
     assert!(texts[3].contains("cell (6, 1), which is on the way of A1"));
+    assert!(texts[5].contains("the cells (3, 1) and (4, 1)"));
 
     // No other plan is as good: another one would wait elsewhere.
     let every = Request::Freedom(FreedomRequest {
@@ -93,12 +95,24 @@ fn what_it_says_of_its_scene_is_so() {
 
     let mut closed = scene();
     closed.map[1].replace_range(6..7, "#");
-    let longer = solved(closed);
+    let longer = solved(closed.clone());
     assert_eq!(longer.status, Status::Optimal);
     assert_eq!(
         longer.costs.unwrap().makespan,
         open.costs.unwrap().makespan + 2
     );
+    // The rule has a price, whether the cell was closed or not.
+    for (mut scene, free) in [(scene(), open), (closed, longer)] {
+        let (zone, rule) = rule();
+        assert_eq!(
+            zone.cells().collect::<Vec<_>>(),
+            [Cell::new(3, 1), Cell::new(4, 1)]
+        );
+        (scene.zones, scene.constraints) = (vec![zone], vec![rule]);
+        let ruled = solved(scene);
+        assert_eq!(ruled.status, Status::Optimal);
+        assert!(ruled.costs.unwrap().makespan > free.costs.unwrap().makespan);
+    }
 }
 
 #[test]
@@ -138,6 +152,21 @@ fn it_points_at_what_comes_next() {
     sight.paints = true;
     let (tour, _) = saw(tour, &sight);
     assert_eq!(tour.target(), Target::Cell(Cell::new(6, 1)));
+    let (mut tour, mut sight) = at(Step::Rule);
+    let ways: [(fn(&mut Sight), Target); 4] = [
+        (|_| {}, Target::Zone),
+        (|sight| sight.marks = true, Target::Cell(Cell::new(3, 1))),
+        (|sight| sight.is_writing = true, Target::AddRule),
+        (
+            |sight| (sight.is_writing, sight.is_ruled) = (false, true),
+            Target::Price,
+        ),
+    ];
+    for (change, target) in ways {
+        change(&mut sight);
+        tour = saw(tour, &sight).0;
+        assert_eq!(tour.target(), target);
+    }
 }
 
 #[test]
@@ -159,6 +188,13 @@ fn each_step_is_done_for_a_person() {
     let paint = ToPage::Do(Deed::Paint(Cell::new(6, 1)));
     assert_eq!(shown(Step::Close), [paint]);
     assert_eq!(shown(Step::Solve), [ToPage::Do(Deed::Solve)]);
+    let (zone, rule) = rule();
+    let (add, price) = (Deed::Rule(zone, rule), ToPage::Do(Deed::Price));
+    assert_eq!(shown(Step::Rule), [ToPage::Do(add), price.clone()]);
+    let (tour, mut sight) = at(Step::Rule);
+    sight.is_ruled = true;
+    let ruled = saw(tour, &sight).0;
+    assert_eq!(says(&reduce(ruled, Action::Show).1), [price]);
     let (tour, effects) = reduce(at(Step::GoOn).0, Action::Show);
     assert_eq!(tour, None);
     assert_eq!(effects, [Effect::Page(ToPage::Close), Effect::Contents]);

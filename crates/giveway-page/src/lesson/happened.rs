@@ -83,6 +83,12 @@ pub fn happened(before: &State, after: &State) -> Vec<FromPage> {
     all.into_iter().map(told).collect()
 }
 
+/// Whether the prices of all rules are told.
+fn is_priced(state: &State) -> bool {
+    let told = state.prices().is_some_and(|prices| prices.told.is_some());
+    told && !state.is_pricing()
+}
+
 /// What a tour sees.
 fn seen(state: &State, tour: &Lesson) -> Sight {
     let agents = state.document.agents();
@@ -95,5 +101,9 @@ fn seen(state: &State, tour: &Lesson) -> Sight {
         paints: state.view.tool == Tool::Obstacle,
         is_edited: *state.document.draft.scene() != tour.board.scene,
         is_solved: state.document.fresh_answer().is_some() && state.work.solving().is_none(),
+        marks: state.view.tool == Tool::Zone,
+        is_writing: state.is_writing_rule(),
+        is_ruled: !state.document.draft.scene().constraints.is_empty(),
+        is_priced: is_priced(state),
     }
 }

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use giveway_model::words::Sentence;
-use giveway_model::{Constraint, Question, tr_data};
+use giveway_model::{Constraint, Question, Zone, tr_data};
 
 use super::{ask, document, prices, solve};
 use crate::gesture::Hold;
@@ -217,6 +217,21 @@ fn add(state: &mut State, writing: &Writing) {
         state.view.tool = Tool::Select;
     }
     state.view.selection = Selection::Nothing;
+}
+
+/// Marks a zone and adds a rule as one step of undo, as a person would do it by hand.
+pub(super) fn show(state: &mut State, zone: &Zone, rule: Constraint) {
+    let name = || zone.name.clone();
+    let paint = |cell| Edit::Rules(RuleEdit::PaintZone(name(), cell, true));
+    let mut edits: Vec<Edit> = zone.cells().map(paint).collect();
+    edits.push(Edit::Rules(RuleEdit::Put(None, rule)));
+    match document::edit_scene(state, &edits) {
+        Ok(()) => {
+            list(state);
+            document::solve_on_change(state);
+        }
+        Err(notice) => state.view.notice = Some(notice),
+    }
 }
 
 /// A stroke over cells has ended: a zone that is new gets its first rule.

@@ -16,6 +16,16 @@ fn places(target: Target) -> Vec<String> {
         // While an answer is read a phone folds the tools away.
         Target::Obstacle => &[".tools [aria-keyshortcuts=o]", "#inspector .crumb"],
         Target::Solve => &[".solve > .btn"],
+        Target::Zone => &[".tools [aria-keyshortcuts=z]", "#inspector .crumb"],
+        Target::AddRule => &[
+            "#inspector .foot .primary",
+            "[role=tab][aria-controls=inspector]",
+        ],
+        Target::Price => &[
+            "#inspector .ask-price",
+            "#inspector .crumb",
+            "[role=tab][aria-controls=inspector]",
+        ],
         Target::Course => &[
             ".acts > .menu > button",
             ".acts > .wide",

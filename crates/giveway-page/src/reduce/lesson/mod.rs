@@ -13,6 +13,7 @@ use super::document::{amend, undo};
 use super::{play, solve, steer, step, stroke};
 use crate::lesson::{Lesson, LessonAction, document, evidence};
 use crate::present::Presenting;
+use crate::rules::RuleAction;
 use crate::steering::Lead;
 use crate::view::Layers;
 use crate::{
@@ -193,6 +194,11 @@ fn tour(state: &mut State, deed: Deed) {
         }
         Deed::Paint(cell) => Some(Action::Edit(Edit::Paint(Paint::Obstacle, cell, true))),
         Deed::Solve => Some(Action::Solve(SolveAction::Solve)),
+        Deed::Rule(zone, rule) => {
+            super::rules::show(state, &zone, rule);
+            None
+        }
+        Deed::Price => Some(Action::Rules(RuleAction::Price)),
     };
     if let Some(action) = action {
         step(state, action);

@@ -9,6 +9,7 @@ use super::{heard, opened, say, says};
 use crate::lesson::{LessonAction, happened};
 use crate::link;
 use crate::reduce::tests::{after, stroke};
+use crate::rules::RuleAction;
 use crate::tests::{answered, seek, select};
 use crate::{Action, AskAction, FileAction, PlayAction, SolveAction, State, Tool, ask, sample};
 
@@ -108,6 +109,21 @@ fn a_person_does_it_step_by_step() {
     both.act(Action::Solve(SolveAction::Solve));
     assert_eq!(both.step(), Step::Solve);
     both.solve();
+    assert_eq!(both.step(), Step::Rule);
+    for action in stroke(Tool::Zone, &[(3, 1), (4, 1)]) {
+        both.act(action);
+    }
+    let (zone, rule) = tour::rule();
+    assert!(both.page.is_writing_rule());
+    both.act(Action::Rules(RuleAction::Add));
+    let scene = both.page.document.draft.scene();
+    assert_eq!(
+        (&scene.zones[..], &scene.constraints[..]),
+        (&[zone][..], &[rule][..])
+    );
+    both.act(Action::Rules(RuleAction::Price));
+    assert_eq!(both.step(), Step::Rule);
+    both.solve();
     assert_eq!(both.step(), Step::GoOn);
     both.guide(tour::Action::End);
     assert!(both.tour.is_none() && !both.has_contents);
@@ -136,6 +152,12 @@ fn it_is_shown_step_by_step() {
                 );
             }
             Step::Solve => both.solve(),
+            Step::Rule => {
+                both.solve();
+                let rows = crate::rules::list(&both.page).unwrap().rows;
+                let prices = rows.iter().map(|row| row.price.clone().map(|tag| tag.text));
+                assert_eq!(prices.collect::<Vec<_>>(), [Some("+1 step".to_owned())]);
+            }
             Step::Select | Step::Close | Step::GoOn => {}
         }
     }
@@ -193,6 +215,8 @@ fn outside_of_a_tour_nothing_is_done_for_anybody() {
         Deed::Ask,
         Deed::Paint(Cell::new(1, 1)),
         Deed::Solve,
+        Deed::Rule(tour::rule().0, tour::rule().1),
+        Deed::Price,
     ] {
         for state in [&lesson, &own()] {
             let after = say(state, ToPage::Do(deed.clone()));
@@ -222,4 +246,5 @@ fn it_hears_what_is_seen_and_that_it_is_over() {
     assert_eq!(sight.robot.as_deref(), Some("A1"));
     assert_eq!((sight.time, sight.last), (0, 6));
     assert!(sight.is_solved && !sight.is_edited && !sight.is_asking && !sight.paints);
+    assert!(!sight.marks && !sight.is_writing && !sight.is_ruled && !sight.is_priced);
 }
