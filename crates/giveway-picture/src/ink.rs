@@ -88,6 +88,9 @@ inks! {
     slow_tint = "map-slow-tint", 0xfd_f0_ee, 0x33_23_1f;
     slow_hatch = "map-slow-hatch", 0xe9_a3_9b, 0x8e_4b_43;
     slow_edge = "map-slow-edge", 0xc2_5b_50, 0xd9_8a_80;
+    rule_line = "rule-line", 0x6f_77_83, 0x93_9b_a7;
+    rule_sign = "rule-sign", 0x2f_37_43, 0xd6_db_e2;
+    rule_hatch = "rule-hatch", 0x9a_a2_ad, 0x69_72_7e;
     wait = "map-wait", 0x18_1d_26, 0xec_ee_f1;
     charge = "map-charge-flash", 0xf2_b7_05, 0xff_e0_8a;
 }

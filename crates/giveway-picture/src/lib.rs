@@ -28,6 +28,7 @@ mod moving;
 mod occupied;
 mod outline;
 mod point;
+mod rules;
 mod still;
 mod tile;
 mod track;
@@ -46,6 +47,10 @@ pub use moving::moving;
 pub use occupied::Occupied;
 pub use outline::{Area, Pen, Region};
 pub use point::{Point, position};
+pub use rules::{
+    LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, TagShape, ZoneShape, in_force,
+    rule_shapes, zone_of,
+};
 pub use still::{on_paper, still};
 pub use tile::Tile;
 pub use track::{Badge, Charge, Pose, Track};

@@ -12,9 +12,10 @@ use super::floor::FloorShapes;
 use super::layers::problems;
 use super::marks::Marks;
 use super::reasons::ReasonMarks;
+use super::rules::Layer;
 use super::viewport::use_sight;
 use super::ways::Ways;
-use super::{freedom, view_box};
+use super::{freedom, rules, view_box};
 use crate::Shown;
 use crate::board::agents::AgentsProps;
 use crate::board::floor::FloorProps;
@@ -57,13 +58,16 @@ pub(crate) fn PaperBoard(props: &PaperBoardProps) -> Html {
     html! {
         <svg class={classes!("map", detail.class())} viewBox={view_box(&frame)} width={px(width)} height={px(height)} aria-hidden="true">
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
+            { rules::on_paper(state, Layer::Floor) }
             if state.is_laid_over() {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails {
                 { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still }) }
             }
+            { rules::on_paper(state, Layer::Tabs) }
             { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: None::<Rc<Cast>>, detail, selected: None::<usize>, lit: None::<Vec<usize>>, named: None::<usize>, sight, still }) }
             { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit: None::<Vec<usize>>, still }) }
+            { rules::on_paper(state, Layer::Tags) }
             { part::<ReasonMarks>(ReasonsProps { reasons: board::reasons(state), cell_px: frame.cell_px }) }
             { problems(state) }
             { axis(&frame, size) }

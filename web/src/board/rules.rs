@@ -20,6 +20,8 @@ struct RulesProps {
     now: RulesNow,
     lit: Option<Lit>,
     layer: Layer,
+    /// The id of the hatch of closed zones.
+    hatch: &'static str,
 }
 
 impl PartialEq for RulesProps {
@@ -28,6 +30,7 @@ impl PartialEq for RulesProps {
             && self.now == other.now
             && self.lit == other.lit
             && self.layer == other.layer
+            && self.hatch == other.hatch
     }
 }
 
@@ -44,6 +47,16 @@ pub(super) enum Layer {
 
 /// One of the layers.
 pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
+    show(state, draft, layer, "shut")
+}
+
+/// One of the layers on paper, with a hatch of its own: a browser takes none from a board that
+/// is hidden.
+pub(super) fn on_paper(state: &Shown, layer: Layer) -> Html {
+    show(state, state.world(), layer, "shut-paper")
+}
+
+fn show(state: &Shown, draft: &Rc<Draft>, layer: Layer, hatch: &'static str) -> Html {
     let scene = draft.scene();
     if scene.zones.is_empty() && scene.constraints.is_empty() {
         return Html::default();
@@ -53,6 +66,7 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
         draft: Rc::clone(draft),
         lit: state.lit_rule().cloned(),
         layer,
+        hatch,
     };
     html! { { part::<Rules>(props) } }
 }
@@ -64,7 +78,7 @@ fn Rules(props: &RulesProps) -> Html {
     match props.layer {
         Layer::Floor => html! {
             <g class="rules-on" aria-hidden="true">
-                <defs><pattern id="shut" width="18" height="18" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path class="shut-l" d="M9 0V18" /></pattern></defs>
+                <defs><pattern id={props.hatch} width="18" height="18" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path class="shut-l" d="M9 0V18" /></pattern></defs>
                 { for shapes.zones.iter().map(zone) }
                 { for shapes.lanes.iter().map(lane) }
             </g>
@@ -161,14 +175,11 @@ fn show_sign(sign: &SignKind) -> Html {
 }
 
 fn tag(tag: &TagShape) -> Html {
-    // The number of a stop has a corner of its own; the others stand at an edge.
-    let (x, y) = match (tag.class, tag.is_above) {
-        ("order", true) => (17, 18),
-        ("order", false) => (17, 82),
-        (_, true) => (50, 14),
-        (_, false) => (50, 88),
-    };
-    let (x, y) = (100 * tag.cell.x + x, 100 * tag.cell.y + y);
+    let (dx, dy) = tag.place();
+    let (x, y) = (
+        f64::from(tag.cell.x) * 100.0 + dx,
+        f64::from(tag.cell.y) * 100.0 + dy,
+    );
     let width = tag.text.chars().count() as f64 * 11.0 + 12.0;
     let left = -width / 2.0;
     let bar = match tag.class {

@@ -143,7 +143,7 @@ impl CellNames {
     /// The same with the rules of the scene's own, of the cells in a window.
     #[must_use]
     pub fn ruled(mut self, scene: &Scene, time: u32, window: &Window) -> Self {
-        let holds = super::rules::now(scene, time);
+        let holds = giveway_picture::in_force(&scene.constraints, time);
         let is_seen =
             |cell: &Cell| window.rows().contains(&cell.y) && window.columns().contains(&cell.x);
         for zone in &scene.zones {

@@ -16,7 +16,8 @@ mod writing;
 
 use std::rc::Rc;
 
-use giveway_model::{Constraint, Scene, constraint::ConstraintKind};
+use giveway_model::{Constraint, Scene};
+pub use giveway_picture::zone_of;
 
 use crate::{Activity, State};
 
@@ -80,26 +81,6 @@ impl State {
 /// The name of the icon of a rule.
 pub const fn icon(rule: &Constraint) -> &'static str {
     rule.kind_name()
-}
-
-/// The zone of a rule, by its name.
-pub fn zone_of(kind: &ConstraintKind) -> Option<&str> {
-    match kind {
-        ConstraintKind::Capacity { zone, .. }
-        | ConstraintKind::Closed { zone, .. }
-        | ConstraintKind::NoWaiting { zone, .. }
-        | ConstraintKind::Avoid { zone, .. } => Some(zone),
-        ConstraintKind::OneWay { .. }
-        | ConstraintKind::Gap { .. }
-        | ConstraintKind::Apart { .. }
-        | ConstraintKind::Sequence { .. }
-        | ConstraintKind::Visit { .. }
-        | ConstraintKind::Arrive { .. }
-        | ConstraintKind::Late { .. }
-        | ConstraintKind::Depart { .. }
-        | ConstraintKind::Before { .. }
-        | ConstraintKind::Turns { .. } => None,
-    }
 }
 
 /// A name that no zone has: `zone 2`, of the least free number.

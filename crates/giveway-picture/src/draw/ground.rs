@@ -1,4 +1,5 @@
-//! What lies on the ground: the floor, slow zones, obstacles, chargers, and the ways.
+//! What lies on the ground: the floor, slow zones, obstacles, chargers, zones of rules, and
+//! the ways.
 
 use std::fmt::Write as _;
 
@@ -50,6 +51,7 @@ impl Stage {
                 "<rect width=\"{width}\" height=\"{height}\" rx=\"12\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"{thin}\"/>"
             ),
         );
+        svg.push_str(&self.zones_and_lanes());
         svg
     }
 

@@ -67,8 +67,7 @@ impl Stage {
 
     /// The same without the line of the time.
     pub(crate) fn things_at(&self, time: f64) -> String {
-        let mut when = When::At(time);
-        [self.agents(&mut when), self.flags(&mut when)].concat()
+        self.things(&mut When::At(time))
     }
 
     /// The same as it moves.
@@ -77,7 +76,13 @@ impl Stage {
     }
 
     fn all(&self, when: &mut When<'_>) -> String {
-        [self.agents(when), self.flags(when), self.time(when)].concat()
+        [self.things(when), self.time(when)].concat()
+    }
+
+    /// Zones that are closed, agents and marks, with the tags of rules above them.
+    fn things(&self, when: &mut When<'_>) -> String {
+        let zones = self.zones_at(when);
+        [zones, self.agents(when), self.flags(when), self.rule_tags()].concat()
     }
 
     /// The colour of an agent, and the one of its name on it.

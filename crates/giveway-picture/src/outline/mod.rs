@@ -11,6 +11,8 @@ mod path;
 mod tests;
 mod walk;
 
+use std::collections::BTreeSet;
+
 use giveway_model::Cell;
 
 use path::Units;
@@ -50,6 +52,23 @@ impl Area {
         let is_in = |at: u32, first: u32, size: u32| at >= first && at - first < size;
         is_in(cell.x, self.first.x, self.size.0) && is_in(cell.y, self.first.y, self.size.1)
     }
+}
+
+/// The `d` of the outline of some cells of a large map, so far inside of them.
+pub(crate) fn around(cells: &BTreeSet<Cell>, inset: i64) -> String {
+    let all = || cells.iter().copied();
+    let first = all().reduce(|a, b| Cell::new(a.x.min(b.x), a.y.min(b.y)));
+    let last = all().reduce(|a, b| Cell::new(a.x.max(b.x), a.y.max(b.y)));
+    let (Some(first), Some(last)) = (first, last) else {
+        return String::new();
+    };
+    let size = (last.x - first.x + 1, last.y - first.y + 1);
+    let pen = Pen {
+        inset,
+        radius: 12,
+        overlap: 0,
+    };
+    Region::new(Area { first, size }, |cell| cells.contains(&cell)).fill(pen)
 }
 
 /// A set of cells in an area and one cell around it: that much tells where a

@@ -2,7 +2,7 @@
 
 use giveway_model::Cell;
 
-use super::{RulesNow, SignKind, first_stay, now, rule_shapes};
+use super::{RulesNow, SignKind, first_stay, in_force, rule_shapes};
 use crate::Draft;
 use crate::rules::Lit;
 
@@ -22,7 +22,7 @@ fn draft(rules: &str) -> Draft {
 
 fn holds(scene: &giveway_model::Scene, time: u32) -> RulesNow {
     RulesNow {
-        holds: now(scene, time),
+        holds: in_force(&scene.constraints, time),
         ..RulesNow::default()
     }
 }

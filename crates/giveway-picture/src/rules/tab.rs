@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use giveway_model::constraint::{ConstraintKind, meant};
 use giveway_model::{Agent, Cell, Constraint, Ground, Zone};
 
-use super::SignKind;
-use crate::Draft;
+use super::kind::times_of;
+use super::{RuledMap, SignKind};
 
 /// So many signs stand beside each other; more fold into one with their number.
 const SIGNS: usize = 3;
@@ -44,8 +44,7 @@ fn sign(rule: &Constraint) -> Option<SignKind> {
 
 /// The times of a rule of a zone, where it does not always hold.
 pub(super) fn times(rule: &Constraint) -> Option<String> {
-    let mut kind = rule.kind.clone();
-    let times = *crate::rules::parts(&mut kind).times?;
+    let times = times_of(&rule.kind)?;
     match (times.first(), meant(times).to) {
         _ if rule.off => None,
         (0, None) => None,
@@ -86,8 +85,8 @@ const LOOKED_AT: usize = 400;
 /// Where the tab of a zone begins: on an obstacle that touches it or is part of it, where no
 /// robot covers it; else on its upper edge, or on its lower one. A place that is free of other
 /// tabs and of names of starts and goals comes first.
-pub(super) fn tab(draft: &Draft, zone: &Zone, cells: &BTreeSet<Cell>, taken: &[Spot]) -> Spot {
-    let grid = draft.grid();
+pub(super) fn tab(map: RuledMap<'_>, zone: &Zone, cells: &BTreeSet<Cell>, taken: &[Spot]) -> Spot {
+    let grid = map.grid;
     let is_obstacle = |cell: Cell| grid.ground(cell) == Some(Ground::Obstacle);
     let wide = zone.name.chars().count() as f64 * LETTER + 2.0 * TALL + SIGN;
     let at = |x: u32, y: u32, by: (f64, f64)| Spot {
@@ -115,7 +114,7 @@ pub(super) fn tab(draft: &Draft, zone: &Zone, cells: &BTreeSet<Cell>, taken: &[S
         .chain(upper.map(|cell| at(cell.x, cell.y, (22.0, -20.0))))
         .chain(lower.map(|cell| at(cell.x, cell.y + 1, (22.0, -5.0))));
     let places: Vec<Spot> = places.collect();
-    let agents = &draft.scene().agents;
+    let agents = map.agents;
     let named = |agent: &Agent| {
         let ends = [Some(agent.start), agent.goal];
         let ends = ends.into_iter().flatten();

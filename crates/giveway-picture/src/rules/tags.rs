@@ -4,20 +4,18 @@ use giveway_model::condition::Times;
 use giveway_model::constraint::{ConstraintKind, meant};
 use giveway_model::{Cell, Constraint, tr};
 
-use super::{LaneShape, RuleShapes, TagShape};
-use crate::Draft;
+use super::{LaneShape, RuleShapes, RuledMap, TagShape};
 
 /// Puts the lane or the tags of a rule on the board.
 pub(super) fn place(
-    draft: &Draft,
+    map: RuledMap<'_>,
     rule: &Constraint,
     [is_lit, is_broken]: [bool; 2],
     shapes: &mut RuleShapes,
 ) {
-    let scene = draft.scene();
     let bound = || {
         let names = rule.agents.as_deref();
-        let agents = scene.agents.iter();
+        let agents = map.agents.iter();
         agents.filter(move |agent| names.is_none_or(|names| names.contains(&agent.name)))
     };
     let tag = |cell, text: String, class, is_above| TagShape {
