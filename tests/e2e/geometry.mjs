@@ -257,8 +257,8 @@ function look({ places, floats, sideways, slender, least }) {
     if (element instanceof SVGElement || !isShown(element) && element.tagName !== "INPUT" || element.matches(slender)) {
       continue;
     }
-    // A link within a sentence is as high as its line.
-    if (styleOf(element).display === "inline") {
+    // A link within a sentence is as high as its line; so is a name that can be pressed, which no browser lays out inline.
+    if (styleOf(element).display === "inline" || element.matches(".named")) {
       continue;
     }
     const hit = (element.closest("label") ?? element).getBoundingClientRect();
