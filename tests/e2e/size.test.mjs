@@ -15,9 +15,9 @@ import { serve } from "./server.mjs";
  * that takes at 1.6 Mbit/s and 150 ms stands in docs/page.md.
  */
 const STAGES = [
-  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 26_800],
-  ["until the application is there", /^app-|^unstarted-|^static\/icons\.svg$/, 834_000],
-  ["until it can solve", /^worker-|^solver-/, 1_212_000],
+  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 27_800],
+  ["until the application is there", /^app-|^unstarted-|^static\/icons\.svg$/, 880_000],
+  ["until it can solve", /^worker-|^solver-/, 1_258_000],
 ];
 
 let host;
