@@ -38,7 +38,7 @@ describe("a scene by hand", () => {
     assert.equal(await playground.button("Undo").isDisabled(), true, "one gesture was more than one step");
     await playground.press("Redo");
     await playground.press("Solve");
-    await playground.says(/^Optimal: makespan 18, sum of costs 51, 3 charges\.$/);
+    await playground.says(/^Optimal: makespan 18, sum of costs 51, 4 charges\.$/);
   }, { screens: BOTH, ...MOVING });
 
   flow("builds a scene by keyboard alone", async (playground) => {

@@ -153,7 +153,8 @@ fn it_points_at_what_comes_next() {
     let (tour, _) = saw(tour, &sight);
     assert_eq!(tour.target(), Target::Cell(Cell::new(6, 1)));
     let (mut tour, mut sight) = at(Step::Rule);
-    let ways: [(fn(&mut Sight), Target); 4] = [
+    type Change = fn(&mut Sight);
+    let ways: [(Change, Target); 4] = [
         (|_| {}, Target::Zone),
         (|sight| sight.marks = true, Target::Cell(Cell::new(3, 1))),
         (|sight| sight.is_writing = true, Target::AddRule),
