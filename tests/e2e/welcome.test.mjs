@@ -150,7 +150,7 @@ describe("the tour", () => {
     await playground.picture("tour-robot");
     await playground.stroke([4, 0]);
     await tour.at("Ask why it waits");
-    const question = playground.inspector.getByRole("button", { name: /^Why does A1 wait/ });
+    const question = playground.inspector.getByRole("button", { name: /^Why does A1 give way to A2/ });
     await tour.pointsAt(question);
     await playground.picture("tour-question");
     await question.click();
@@ -222,7 +222,7 @@ describe("the tour", () => {
     await playground.board.focus();
     await playground.key("Control+Home", ...Array(4).fill("ArrowRight"), "Enter");
     await tour.at("Ask why it waits");
-    await course.tabTo(/^Why does A1 wait/);
+    await course.tabTo(/^Why does A1 give way to A2/);
     await playground.key("Enter");
     await tour.at("Change the scene");
     await playground.board.focus();
