@@ -172,7 +172,7 @@ describe("the tour", () => {
     await playground.press("Solve");
     await tour.at("Add a rule");
     await playground.says(/^Optimal: makespan 8/);
-    await tour.pointsAt(playground.tools.getByRole("button", { name: "Zone" }));
+    await tour.pointsAt(playground.tools.getByRole("button", { name: "Zone", exact: true }));
     await playground.pick("Zone");
     await tour.pointsAt(playground.cell(3, 1));
     await playground.stroke([3, 1], [4, 1]);
