@@ -135,6 +135,9 @@ fn what_is_done_already_is_not_asked_for() {
     assert_eq!(effects, []);
 }
 
+/// What a person does next, as the page tells it.
+type Change = fn(&mut Sight);
+
 #[test]
 fn it_points_at_what_comes_next() {
     let points = |step| at(step).0.target();
@@ -153,7 +156,6 @@ fn it_points_at_what_comes_next() {
     let (tour, _) = saw(tour, &sight);
     assert_eq!(tour.target(), Target::Cell(Cell::new(6, 1)));
     let (mut tour, mut sight) = at(Step::Rule);
-    type Change = fn(&mut Sight);
     let ways: [(Change, Target); 4] = [
         (|_| {}, Target::Zone),
         (|sight| sight.marks = true, Target::Cell(Cell::new(3, 1))),
