@@ -63,7 +63,12 @@ describe("touch", () => {
     for (const [x, y] of [[0, 1], [0, 2], [1, 2], [2, 2]]) {
       await playground.cellTells(x, y, /zone 1/);
     }
-    await inspector.getByRole("button", { name: "Add the rule" }).tap();
+    // Where the page is slow, the foot still moves under the finger: it is tapped again.
+    const add = inspector.getByRole("button", { name: "Add the rule" });
+    await eventually("the rule to be added", async () => {
+      await add.tap({ timeout: 1_000 }).catch(() => {});
+      return add.count();
+    }, (count) => count === 0);
     await playground.showTab("Inspector");
     await inspector.getByRole("group", { name: "At most 1 robot in zone 1", exact: true }).waitFor();
     await playground.pick("One-way");
