@@ -20,7 +20,7 @@ async fn the_plan_as_a_whole_and_its_agents_to_pick() {
     }
     click(
         &stage
-            .find("[aria-label=Inspector] li:nth-child(2) button")
+            .find("[aria-label=Inspector] .choices li:nth-child(2) button")
             .await,
     );
     assert_eq!(
