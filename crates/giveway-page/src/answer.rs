@@ -143,10 +143,14 @@ impl Answer {
         !self.is_shared && (solved.status != Status::Feasible || was_stopped)
     }
 
-    /// How far the search for the best plan proved that none is better: of its own plan in a
-    /// world that does not change.
+    /// How far the search for the best plan proved on this page that none is better: of its own plan
+    /// in a world that does not change.
     pub(crate) fn proved_here(&self) -> Option<Reach> {
-        let is_own = self.is_searched() && self.by.is_none() && self.course.is_none();
+        // What a link or the browser's store says is no proof: only a search of this page has a trace.
+        let is_own = self.is_searched()
+            && self.by.is_none()
+            && self.course.is_none()
+            && self.solved.trace.is_some();
         (is_own && self.solved.status == Status::Optimal).then_some(self.solved.reach)
     }
 
