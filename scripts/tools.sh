@@ -121,7 +121,7 @@ cargo_tool() {
 # times as long to build. It is new where the version or its own source is.
 bind_tool() {
     local source
-    source=$(cat scripts/bind/Cargo.lock scripts/bind/src/main.rs | sha256sum | cut -c 1-8)
+    source=$(cat scripts/bind/Cargo.lock scripts/bind/src/*.rs | sha256sum | cut -c 1-8)
     install_tool giveway-bind "$wasm_bindgen_version-$source" --path scripts/bind
 }
 

@@ -10,7 +10,7 @@
 // 6. The service worker gets the list of files.
 
 import { createHash } from "node:crypto";
-import { copyFileSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { PICTURE, withAddress } from "../release/head.mjs";
@@ -69,7 +69,7 @@ export function finish(source, built) {
 /** The page's own program, with its size, fetched as soon as the page is read. */
 function nameApplication(built) {
   const wasm = rename(built, "app_bg.wasm");
-  const bindings = rename(built, "app.js", { isPlain: true });
+  const bindings = rename(built, "app.js", { isPlain: true, pairs: namePart(built, "app.js") });
   const bytes = statSync(join(built, wasm)).size;
   return [[
     `href="./app.js" data-wasm="./app_bg.wasm">`,
@@ -81,13 +81,19 @@ function nameApplication(built) {
 function namePrograms(built) {
   return PROGRAMS.flatMap(([script, bindings, wasm]) => {
     const wasmAt = rename(built, wasm);
-    const bindingsAt = rename(built, bindings);
+    const bindingsAt = rename(built, bindings, { pairs: namePart(built, bindings) });
     const scriptAt = rename(built, script, { pairs: [[`./${bindings}`, `./${bindingsAt}`]] });
     return [
       [`content="./${wasm}">`, `content="./${wasmAt}">`],
       [`content="./${script}">`, `content="./${scriptAt}">`],
     ];
   });
+}
+
+/** The later part of a program in two, as its bindings name it. */
+function namePart(built, bindings) {
+  const later = bindings.replace(/\.js$/, "_later.wasm");
+  return existsSync(join(built, later)) ? [[`"./${later}"`, `"./${rename(built, later)}"`]] : [];
 }
 
 /** What the policy would refuse is found here and not by a user. */

@@ -18,7 +18,13 @@ describe("an answer layer by layer", () => {
       const look = () => {
         const card = document.querySelector(".insp .qh")?.closest(".insp");
         if (card) {
-          panels.push({ verdict: !!card.querySelector(".verdict"), foot: card.querySelector(".foot")?.innerText ?? "" });
+          panels.push({
+            verdict: !!card.querySelector(".verdict"),
+            foot: card.querySelector(".foot")?.innerText ?? "",
+            // Where what is stopped or closed by stands, and how high the sentence above the board is.
+            last: card.querySelector(".foot .last")?.getBoundingClientRect().bottom,
+            head: document.querySelector(".status")?.getBoundingClientRect().height,
+          });
         }
       };
       new MutationObserver(look).observe(document.querySelector("#inspector"), { subtree: true, childList: true });
@@ -29,6 +35,10 @@ describe("an answer layer by layer", () => {
     const panels = await playground.page.evaluate(() => globalThis.panels);
     assert.ok(panels.length > 0);
     assert.deepEqual(panels.filter(({ verdict }) => !verdict), [], "the verdict or its place");
+    for (const part of ["last", "head"]) {
+      const places = panels.map((panel) => panel[part]).filter((place) => place !== undefined);
+      assert.ok(Math.max(...places) - Math.min(...places) < 2, `${part} keeps its place: ${new Set(places)}`);
+    }
     assert.ok(panels.some(({ foot }) => /Whole/.test(foot) && /Cancel/.test(foot)), "how far it is, and a way to stop");
     assert.match(await playground.inspector.locator(".qh").innerText(), /A2 waits at \(3, 1\) from time 0 to 1\./);
     await playground.picture("answered");

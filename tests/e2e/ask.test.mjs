@@ -23,24 +23,28 @@ describe("asking why", () => {
 
     // It opens at the first difference.
     await playground.press("Show the other plan");
-    if (playground.isPhone()) {
-      await playground.cellTells(2, 2, /A1/);
-      await playground.picture("other-plan");
-      await playground.press("Show this plan");
-    } else {
+    if (!playground.isPhone()) {
       await playground.reaches(1);
-      // Both move in step, on one clock.
-      await playground.cellTells(2, 2, /A1/, playground.other);
-      await playground.cellTells(2, 1, /A2/, playground.other);
+    }
+    // Both move in step, on one clock.
+    await playground.cellTells(2, 2, /A1/, playground.other);
+    await playground.cellTells(2, 1, /A2/, playground.other);
+    if (playground.isPhone()) {
+      // They are pages: the edge of the other one is seen, and a finger brings it here.
+      const right = async () => (await playground.other.boundingBox()).x;
+      const width = playground.page.viewportSize().width;
+      assert.ok(await right() < width && await right() > width * 0.6, "the edge of the other plan");
+      await playground.page.locator(".boards").evaluate((boards) => boards.scrollTo({ left: boards.scrollWidth }));
+      await eventually("the other plan", right, (x) => x < width * 0.3);
+      await playground.fits();
+      await playground.picture("other-plan");
+    } else {
       const lane = playground.page.getByRole("button", { name: "A1", exact: false }).filter({ hasText: "this / other" });
       await lane.waitFor();
       await playground.page.getByRole("img", { name: /^Other plan: A1: .* arrives at 4$/ }).waitFor();
       await playground.picture("beside");
     }
     await playground.cellTells(2, 1, /A1/);
-    if (playground.isPhone()) {
-      await playground.press("Show the other plan");
-    }
     await playground.press("Take the other plan");
     await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 2, /A1/);
@@ -64,8 +68,10 @@ describe("asking why", () => {
     await playground.press("Zoom in");
     const wide = async (grid) => Math.round((await playground.cell(1, 1, grid).boundingBox()).width);
     await eventually("both to be enlarged", async () => [await wide(playground.board), await wide(playground.other)], ([a, b]) => a === b && a > 60);
-    // A window that gets narrow has one board, and still both plans.
+    // A narrow window has both as pages; a low one has one board, and still both plans.
     await page.setViewportSize({ width: 600, height: 844 });
+    await playground.cellTells(2, 2, /A1/, playground.other);
+    await page.setViewportSize({ width: 844, height: 390 });
     await playground.other.waitFor({ state: "detached" });
     await playground.cellTells(2, 2, /A1/);
     await page.setViewportSize({ width: 1440, height: 900 });

@@ -20,7 +20,7 @@ function lists(playground, ...texts) {
 }
 
 function column(playground, name) {
-  return playground.page.getByRole("article", { name, exact: true });
+  return playground.page.getByRole("article", { name: new RegExp(name) });
 }
 
 async function inspect(playground) {
@@ -29,6 +29,17 @@ async function inspect(playground) {
 
 describe("the world changes", () => {
   const flow = flows();
+
+  flow("undo says which change it takes back", async (playground) => {
+    await running(playground);
+    await begin(playground);
+    await join(playground, [2, 2], [1, 0]);
+    // The robot that joined is selected: the list is out of sight.
+    await playground.press("Undo");
+    await playground.notice.getByText("Undone: A3 joins at (2, 2).").waitFor();
+    await playground.press("Redo");
+    await playground.notice.getByText("Listed again: A3 joins at (2, 2).").waitFor();
+  });
 
   flow("an agent joins, the methods are compared, one is adopted and played across", async (playground) => {
     await running(playground);
@@ -41,15 +52,15 @@ describe("the world changes", () => {
     await lists(playground, "A3 joins at (2, 2)");
     await playground.picture("changing");
     await adapt(playground);
-    const replan = column(playground, "Replan");
+    const replan = column(playground, "Everything new");
     assert.match((await replan.innerText()).replaceAll(/\s+/g, " "), /Makespan (before )?4 ?4 same/i);
-    await column(playground, "Revise").waitFor();
-    await column(playground, "Tunnel 1").waitFor();
+    await column(playground, "New times").waitFor();
+    await column(playground, "Near the old paths").waitFor();
     await playground.picture("comparing");
     await replan.getByRole("button", { name: /^Preview/ }).click();
-    await playground.page.getByRole("button", { name: "Preview Replan", pressed: true }).waitFor();
+    await playground.page.getByRole("button", { name: /^Preview .*Everything new/, pressed: true }).waitFor();
     await replan.getByRole("button", { name: /^Use this plan/ }).click();
-    await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
+    await playground.says(/^The world changed at time 1; the plan went on with “[^:]+”: makespan 4/);
     await playground.picture("adopted");
     await playground.cellTells(2, 2, /A3/);
     await playground.press("To start");
@@ -59,7 +70,7 @@ describe("the world changes", () => {
     await playground.cellTells(1, 0, /A3/);
 
     await playground.reload();
-    await playground.says(/^The world changed at time 1; the plan went on by replan: makespan 4/);
+    await playground.says(/^The world changed at time 1; the plan went on with “[^:]+”: makespan 4/);
     const names = (await playground.planRows()).map((row) => row[0]);
     assert.ok(names.some((name) => name.startsWith("A3")), names.join());
   }, { screens: BOTH, ...MOVING });
@@ -79,7 +90,7 @@ describe("the world changes", () => {
     await lists(playground, "A3 joins", "New charger at");
     await playground.act("Undo");
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
+    await column(playground, "New times").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     await playground.act("Undo");
     await playground.says(/^At time 1: /);
@@ -97,9 +108,9 @@ describe("the world changes", () => {
     await playground.key("Escape");
     await playground.stroke([2, 0]);
     await inspect(playground);
-    await lists(playground, "New obstacle at (2, 0)");
+    await lists(playground, "New obstacle at (2, 0)", "A1 would run into (2, 0) at 2");
     await adapt(playground);
-    assert.match(await column(playground, "Revise").innerText(), /Freed\s+A1[^]*obstacle at \(2, ?0\)/);
+    assert.match(await column(playground, "New times").innerText(), /Freed\s+A1[^]*obstacle at \(2, ?0\)/);
     await playground.picture("comparing-freed");
   });
 
@@ -131,9 +142,9 @@ describe("the world changes", () => {
     await lists(playground, "A3 joins at (2, 2)");
     await playground.key("Control+Enter");
     await playground.says(/^At time 1: /);
-    await column(playground, "Replan").getByRole("button", { name: /^Use this plan/ }).focus();
+    await column(playground, "Everything new").getByRole("button", { name: /^Use this plan/ }).focus();
     await playground.key("Enter");
-    await playground.says(/^The world changed at time 1; the plan went on by replan/);
+    await playground.says(/^The world changed at time 1; the plan went on with “[^”]+”/);
     await playground.key("Control+z");
     await playground.says(/^At time 1: /);
   }, { screens: ["desktop"] });
@@ -143,7 +154,7 @@ describe("the world changes", () => {
     await begin(playground);
     await join(playground, [2, 2], [1, 0]);
     await adapt(playground);
-    await column(playground, "Revise").getByRole("button", { name: /^Use this plan/ }).click();
+    await column(playground, "New times").getByRole("button", { name: /^Use this plan/ }).click();
     await playground.says(/^The world changed at time 1/);
     const saved = [];
     for (const item of ["Save scene", "Save plan", "Save changes"]) {

@@ -21,6 +21,8 @@ describe("forced colours", () => {
         await tab("Timeline").click();
         await differ(tab("Timeline"), tab("Plan"));
       } else {
+        // All speeds and views stand side by side where there is room.
+        await page.setViewportSize({ width: 1680, height: 900 });
         await differ(playground.button("1×"), playground.button("2×"));
         await differ(playground.button("Trails"), playground.button("Heat map"));
         await differ(playground.plan.locator("td.now").first(), playground.plan.locator("td:not(.now)").first());

@@ -10,6 +10,8 @@ import { eventually } from "./wait.mjs";
 const DEPOT = /16 robots, 4 chargers, 21 slow cells, 234 obstacles/;
 /** Presses, drags and typed fields from an empty page to a plan. */
 const MOST_ACTIONS = 25;
+/** The same where the robots come as a pasted table. */
+const MOST_WITH_TABLE = 20;
 
 describe("a floor", () => {
   const flow = flows();
@@ -42,19 +44,7 @@ describe("a floor", () => {
       await type("Rows", 24);
       await playground.says(/^No plan yet/);
 
-      await press("Obstacle");
-      await press("Racks");
-      await drag([4, 3], [28, 10]);
-      await type("Width of an aisle, cells", 2);
-      await drag([4, 14], [28, 19]);
-      await press("Aisle");
-      await drag([12, 14], [13, 19]);
-      await drag([21, 14], [22, 19]);
-      await press("Slow zone");
-      await drag([31, 8], [33, 14]);
-      await press("Charger");
-      await type("From one charger to the next, cells", 2);
-      await drag([0, 9], [0, 15]);
+      await drawFloor({ press, type, drag });
 
       await press("Robot");
       await press("Several");
@@ -75,6 +65,108 @@ describe("a floor", () => {
       await eventually("no robots", () => playground.inspector.innerText(), (text) => /4 chargers, 21 slow cells, 234 obstacles/.test(text) && !/16 robots/.test(text));
     }, { screens: ["desktop"], theme, reducedMotion: "reduce" });
   }
+
+  flow(`of 16 robots in a pasted table is drawn and solved in ${MOST_WITH_TABLE} actions`, async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    let actions = 0;
+    const act = async (deed) => {
+      actions += 1;
+      await deed();
+    };
+    const press = (name) => act(() => page.getByRole("button", { name, exact: true }).first().click());
+    const type = (label, value) => act(async () => {
+      const field = page.getByLabel(label, { exact: true });
+      await field.fill(String(value));
+      await field.press("Enter");
+    });
+    const drag = (from, to) => act(() => dragged(playground, page, from, to));
+    await press("New");
+    await act(() => page.getByLabel("Columns").fill("40"));
+    await type("Rows", 24);
+    await playground.says(/^No plan yet/);
+    await drawFloor({ press, type, drag });
+    const rows = Array.from({ length: 16 }, (_, i) => {
+      const row = 1 + 2 * (i % 8);
+      const [start, goal] = i < 8 ? [1, 38] : [38, 1];
+      return `A${i + 1}\t${start}, ${row}\t${goal}, ${row}\t80\t60`;
+    });
+    await act(() => pasted(page, ["Name\tStart\tGoal\tBattery\tAt the start", ...rows].join("\n")));
+    await press("Solve");
+    assert.ok(actions <= MOST_WITH_TABLE, `${actions} actions`);
+    await eventually("the floor", () => playground.inspector.innerText(), (text) => DEPOT.test(text));
+    await eventually("a plan with what is proved", () => playground.status.textContent(), (text) => /^(Optimal|Best so far|At most)/.test(text), 60_000);
+  }, { screens: ["desktop"], reducedMotion: "reduce" });
+
+  flow("has parts that are framed, repeated, moved and erased", async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    await page.getByRole("button", { name: "New", exact: true }).click();
+    await page.getByLabel("Columns").fill("20");
+    await page.getByLabel("Rows").fill("14");
+    await page.getByLabel("Rows").press("Enter");
+    await playground.says(/^No plan yet/);
+    await playground.pick("Obstacle");
+    await page.getByRole("button", { name: "Rectangle", exact: true }).click();
+    await dragged(playground, page, [3, 2], [8, 3]);
+    await playground.pick("Select");
+    await dragged(playground, page, [9, 4], [2, 1]);
+    const bar = page.getByRole("toolbar", { name: /^8 by 4 cells, 12 obstacles/ });
+    await bar.waitFor();
+    await page.keyboard.press("Escape");
+    await dragged(playground, page, [2, 2], [8, 3]);
+    await page.keyboard.press("Control+d");
+    await page.getByLabel("Copies", { exact: true }).fill("2");
+    await page.getByLabel("Copies", { exact: true }).press("Enter");
+    await audit(playground, "an area that is repeated");
+    await playground.picture("floor-area");
+    await page.getByRole("button", { name: "Do it" }).click();
+    await playground.cellTells(3, 5, /^obstacle$/);
+    await playground.cellTells(8, 9, /^obstacle$/);
+    await playground.board.focus();
+    for (const key of ["ArrowRight", "ArrowRight", "Enter"]) {
+      await page.keyboard.press(key);
+    }
+    await playground.cellTells(10, 2, /^obstacle$/);
+    await playground.cellTells(3, 2, /^free$/);
+    await page.keyboard.press("Delete");
+    await playground.cellTells(10, 2, /^free$/);
+    await page.keyboard.press("Control+z");
+    await playground.cellTells(10, 2, /^obstacle$/);
+  }, { screens: ["desktop"] });
+
+  flow("has its robots in a table that keys edit", async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    await page.getByRole("tab", { name: "Robots" }).click();
+    const grid = page.getByRole("grid", { name: "Robots" });
+    const cell = (row, column) => grid.locator("tbody tr").nth(row).locator("td").nth(column + 1);
+    await cell(0, 4).click();
+    await page.keyboard.type("55");
+    await page.keyboard.press("Tab");
+    await page.keyboard.type("44");
+    await page.keyboard.press("Enter");
+    await eventually("the battery", () => cell(0, 4).innerText(), (text) => text === "55");
+    await eventually("its level", () => cell(0, 5).innerText(), (text) => text === "44");
+    await cell(0, 1).dblclick();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type("99, 99");
+    await page.keyboard.press("Enter");
+    await grid.getByText("(99, 99) is not on the map.").waitFor();
+    await audit(playground, "a table with a fault");
+    await playground.picture("floor-table");
+    await page.keyboard.press("Escape");
+    await eventually("no fault", () => grid.locator(".rfault").count(), (count) => count === 0);
+  }, { screens: ["desktop"] });
+
+  flow("gets rows above and loses columns after it was asked", async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    await page.getByText("Edit scene", { exact: true }).click();
+    await page.getByRole("button", { name: "Rows and columns at any side" }).click();
+    await page.getByRole("button", { name: "Rows above: one more" }).click();
+    await page.getByRole("button", { name: "Columns at the right: one less" }).click();
+    await audit(playground, "the size of the floor");
+    await playground.picture("floor-size");
+    await page.getByRole("button", { name: /^Make it/ }).click();
+    await eventually("a row more", () => playground.board.getAttribute("aria-rowcount"), (rows) => Number(rows) > 1);
+  }, { screens: ["desktop"] });
 
   flow("is drawn by keys: a shape is stretched by arrows", async (playground, { page }) => {
     await playground.says(/^Optimal/);
@@ -105,4 +197,38 @@ function middle(playground, [x, y]) {
     const { a, e, f } = board.getScreenCTM();
     return { x: (100 * x + 50) * a + e, y: (100 * y + 50) * a + f };
   }, [x, y]);
+}
+
+/** Racks with aisles, a slow zone and chargers, as a person draws them. */
+async function drawFloor({ press, type, drag }) {
+  await press("Obstacle");
+  await press("Racks");
+  await drag([4, 3], [28, 10]);
+  await type("Width of an aisle, cells", 2);
+  await drag([4, 14], [28, 19]);
+  await press("Aisle");
+  await drag([12, 14], [13, 19]);
+  await drag([21, 14], [22, 19]);
+  await press("Slow zone");
+  await drag([31, 8], [33, 14]);
+  await press("Charger");
+  await type("From one charger to the next, cells", 2);
+  await drag([0, 9], [0, 15]);
+}
+
+async function dragged(playground, page, from, to) {
+  const [first, last] = [await middle(playground, from), await middle(playground, to)];
+  await page.mouse.move(first.x, first.y);
+  await page.mouse.down();
+  await page.mouse.move(last.x, last.y, { steps: 4 });
+  await page.mouse.up();
+}
+
+/** A text is pasted where nothing has the focus. */
+function pasted(page, text) {
+  return page.evaluate((text) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text/plain", text);
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
 }

@@ -74,7 +74,7 @@ describe("files", () => {
   const refused = [
     ["a JSON file that breaks off", "broken.json", '{\n  "giveway": 1,\n  "map": [".."', /broken\.json.*line 3.*column \d+/s],
     ["a JSON file with a fault", "fault.json", '{"giveway": 1, "map": [".x"], "agents": []}', /fault\.json, line 1, column 26: map\[0\]\[1\]: found "x"/],
-    ["a picture", "photo.png", Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0, 1, 2, 255), /photo\.png cannot be opened/],
+    ["a picture", "photo.png", Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0, 1, 2, 255), /photo\.png is no picture that can be shown/],
     ["an empty file", "empty.json", "", /empty\.json cannot be opened/],
     ["a huge file", "huge.json", new Uint8Array(20_000_001).fill(32), /found 21 MB, expected at most 20 MB/],
     ["a map that is larger than the page takes", "large.map", wideMap(2100), /2100.*from 1 to 2048/s],

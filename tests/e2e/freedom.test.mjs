@@ -114,13 +114,14 @@ describe("what must be so", () => {
     await shown(playground);
     await playground.inspector.getByText("In it robots are elsewhere 6 times. No best plan differs in more.").waitFor();
     if (playground.isPhone()) {
-      await playground.press("Show it");
+      await playground.press("Show it beside this one");
+      await playground.other.waitFor();
       await playground.showTab("Timeline");
       await playground.press("Step forward");
       await playground.reaches(1);
       await playground.picture("freedom-other");
       await playground.showTab("Inspector");
-      await playground.press("Show this plan");
+      await playground.press("One plan");
     } else {
       await playground.press("Show it beside this one");
       await playground.other.waitFor();

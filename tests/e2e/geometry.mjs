@@ -8,7 +8,7 @@ const PLACES = ".bar, .status, .boards, .under, .tools, .insp, .dock, .transport
 /** What floats over the page, and hides what is below it on purpose. */
 const FLOATS = "dialog, .menu, .settings, .notice, .fit, .drop, .coach, .coach-ring";
 /** What scrolls sideways by design. */
-const SIDEWAYS = ".lanes, .tblwrap, .cols, .tools";
+const SIDEWAYS = ".boards.pair, .lanes, .tblwrap, .cols, .tools";
 /** Smaller by design: the time of the ruler is also set by the buttons of the transport, and
  * whose lane it is is also chosen on the board and in the inspector. What a sentence names is as
  * high as its line. */

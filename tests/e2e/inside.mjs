@@ -26,7 +26,8 @@ export async function look(playground, scene, method) {
     return;
   }
   if (playground.isPhone()) {
-    await playground.act(`How it was proved: ${method.toLowerCase()}`);
+    const isFound = ["PIBT", "LaCAM"].includes(method);
+    await playground.act(isFound ? `How it was found: ${method}` : `How it was proved: ${method.toLowerCase()}`);
   } else {
     await page.getByRole("tab", { name: "How it was proved" }).click();
     await page.getByRole("tab", { name: method, exact: true }).click();
@@ -35,6 +36,8 @@ export async function look(playground, scene, method) {
     Proof: page.getByRole("list", { name: "Steps" }),
     "Conflict tree": page.getByRole("tree", { name: "Conflict tree" }),
     "One by one": page.getByRole("group", { name: "Lanes" }),
+    PIBT: page.getByRole("group", { name: "Lanes" }),
+    LaCAM: page.getByRole("group", { name: "Lanes" }),
   };
   await shown[method].waitFor();
 }

@@ -61,10 +61,10 @@ describe("how it was proved", () => {
     await look(playground, PILLARS);
     const { page } = playground;
     await page.getByRole("tab", { name: "Timeline" }).focus();
-    await playground.key("ArrowRight");
+    await playground.key("End");
     const list = page.getByRole("list", { name: "Steps" });
     await list.waitFor();
-    await isFocused(playground, /^How it was proved$/);
+    await isFocused(playground, /^Proof$/);
     await chosen(playground, /^Each robot alone/);
     await playground.button("Play").focus();
     await playground.key(".", ".");
@@ -87,7 +87,7 @@ describe("how it was proved", () => {
     assert.equal(await slider.getAttribute("aria-valuenow"), "2");
 
     // The methods are tabs, too.
-    await page.getByRole("tab", { name: "Proof" }).focus();
+    await page.getByRole("tab", { name: "Proof", exact: true }).focus();
     await playground.key("ArrowRight");
     const tree = page.getByRole("tree", { name: "Conflict tree" });
     await tree.waitFor();
@@ -97,7 +97,7 @@ describe("how it was proved", () => {
     await playground.key("ArrowLeft");
     await eventually("the root", () => selected(tree), (name) => /^Cost 17: /.test(name));
     await page.getByRole("tab", { name: "How it was proved" }).focus();
-    await playground.key("ArrowLeft");
+    await playground.key("Home");
     await playground.time.waitFor();
     assert.equal(await list.count(), 0);
   });
@@ -175,6 +175,26 @@ describe("how it was proved", () => {
       ]);
       await audit(playground, "the lanes");
       await playground.picture(`inside-orders-${theme}`);
+    }, { theme, screens, reducedMotion: "reduce" });
+  }
+
+  for (const { theme, screens } of LOOKS) {
+    flow(`shows who pushes whom, and configurations (${theme})`, async (playground) => {
+      await look(playground, PILLARS, "PIBT");
+      const { inspector } = playground;
+      await playground.showTab("Step");
+      await inspector.getByRole("heading", { name: "The step from 0 to 1" }).waitFor();
+      await inspector.getByText(/^A[123] chooses first$/).waitFor();
+      await inspector.getByText(/^PIBT on this scene, not the plan by the search for the best plan/).waitFor();
+      await audit(playground, "a step of PIBT");
+      await playground.picture(`inside-pibt-${theme}`);
+      await look(playground, undefined, "LaCAM");
+      await playground.showTab("Step");
+      await inspector.getByRole("heading", { name: "The start" }).waitFor();
+      await playground.key(".");
+      await inspector.getByRole("heading", { name: "Configuration 1, after 1 step" }).waitFor();
+      await audit(playground, "a configuration of LaCAM");
+      await playground.picture(`inside-lacam-${theme}`);
     }, { theme, screens, reducedMotion: "reduce" });
   }
 

@@ -42,12 +42,13 @@ async function opened(playground) {
   await playground.says(/^paths\.txt breaks \d+ rules\./);
 }
 
-async function find(playground, name) {
-  await playground.page.getByRole("combobox", { name: "Name of the robot" }).fill(name);
-  const list = playground.page.getByRole("listbox", { name: "Robots" });
-  await list.getByRole("option", { name, exact: false }).first().waitFor();
-  return list;
+/** Types a name into the field, which selects the first robot that it fits. */
+async function find(playground, name, heading = name) {
+  await playground.page.getByRole("textbox", { name: "Name of the robot" }).fill(name);
+  await playground.inspector.getByRole("heading", { name: heading, exact: true }).waitFor();
 }
+
+const field = ({ page }) => page.getByRole("search");
 
 describe("a large map", () => {
   const flow = flows();
@@ -57,12 +58,15 @@ describe("a large map", () => {
     assert.equal(await overview(playground).count(), 0, "all of the map is in sight");
     await playground.board.focus();
     await playground.key("/");
-    const list = await find(playground, "A4");
-    assert.ok(await list.getByRole("option").count() > 1);
+    await find(playground, "4", "A4");
+    await field(playground).getByText(/^1 of \d+$/).waitFor();
     await playground.picture("find");
-    await playground.key("ArrowDown", "ArrowUp", "Enter");
-    await page.getByRole("dialog").waitFor({ state: "detached" });
+    await playground.key("Enter");
+    await field(playground).getByText(/^2 of \d+$/).waitFor();
+    await playground.key("ArrowUp");
     await playground.inspector.getByRole("heading", { name: "A4", exact: true }).waitFor();
+    await playground.key("Escape");
+    await field(playground).waitFor({ state: "detached" });
     await eventually("to be nearer", () => frame(playground), ([, , width]) => width < 12_800);
     const [x, y, width, height] = await frame(playground);
     assert.ok(x <= 200 && y <= 600 && x + width > 300 && y + height > 700, "its cell is in sight");
@@ -97,9 +101,7 @@ describe("a large map", () => {
     await opened(playground);
     await playground.key("/");
     await find(playground, "A9");
-    await playground.key("Enter");
-    await playground.inspector.getByRole("heading", { name: "A9", exact: true }).waitFor();
-    await playground.key("f");
+    await playground.key("Escape", "f");
     const follow = page.getByRole("button", { name: "Follow A9" });
     await eventually("to follow", () => follow.getAttribute("aria-pressed"), (pressed) => pressed === "true");
     await playground.press("Play");
@@ -123,7 +125,7 @@ describe("a large map", () => {
     const says = (pattern) => eventually(`the inspector to say ${pattern}`, () => playground.inspector.innerText(), (text) => pattern.test(text));
     await playground.key("/");
     await find(playground, "A2");
-    await playground.key("Enter");
+    await playground.key("Escape");
     await says(/A2 takes part in \d+ conflicts\./);
     await playground.press("Next conflict");
     await says(/Conflict 1 of \d+, at time \d+: /);
@@ -139,7 +141,7 @@ describe("a large map", () => {
     assert.equal(await playground.now(), first, "after the last comes the first");
     await playground.key("/");
     await find(playground, "A30");
-    await playground.key("Enter");
+    await playground.key("Escape");
     await says(/No conflict of A30\./);
     await playground.key("n");
     await playground.warns(/No conflict of A30\./);
@@ -147,14 +149,12 @@ describe("a large map", () => {
 
   flow("a phone finds a robot by touch", async (playground, { page }) => {
     await opened(playground);
-    await playground.act("Find a robot");
-    const list = await find(playground, "59");
+    await playground.press("Find a robot");
+    await find(playground, "59", "A59");
     await playground.picture("find");
-    const option = list.getByRole("option").first();
-    const { height } = await option.boundingBox();
-    assert.ok(height >= 44, `a row is ${height} high`);
-    await option.tap();
-    await playground.inspector.getByRole("heading", { name: "A59", exact: true }).waitFor();
+    const { height } = await field(playground).boundingBox();
+    assert.ok(height >= 44, `the field is ${height} high`);
+    await field(playground).getByRole("button", { name: "Close" }).tap();
     await overview(playground).waitFor();
     await playground.picture("found");
     const { width } = await overview(playground).boundingBox();
@@ -166,10 +166,10 @@ describe("a large map", () => {
   for (const { theme, screens } of LOOKS) {
     flow(`the audit finds nothing, ${theme}`, async (playground) => {
       await opened(playground);
-      await (playground.isPhone() ? playground.act("Find a robot") : playground.press("Find a robot"));
-      const list = await find(playground, "A5");
+      await playground.press("Find a robot");
+      await find(playground, "A5");
       await audit(playground, "finding");
-      await list.getByRole("option").first().click();
+      await playground.key("Escape");
       await overview(playground).waitFor();
       await audit(playground, "found");
       await playground.picture(`large-${theme}`);

@@ -103,7 +103,8 @@ describe("the main flow", () => {
     await inspector.getByRole("heading", { name: waiting.name, level: 2 }).waitFor();
     await inspector.getByRole("button", { name: waiting.question }).first().tap();
     await playground.button("Show the other plan").tap();
-    await playground.button("Show this plan").waitFor();
+    await playground.button("Keep this plan").waitFor();
+    await playground.other.waitFor();
     await playground.button("Take the other plan").tap();
     await playground.says(/^Optimal: makespan 4, sum of costs 8/);
     assert.notEqual((await waits(playground)).name, waiting.name);

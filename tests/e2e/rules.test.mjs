@@ -39,7 +39,7 @@ describe("rules of a scene's own", () => {
       await audit(playground, "a rule that is written");
       await playground.picture(`rule-add-${theme}`);
       await playground.press("Add the rule");
-      await inspector.getByRole("group", { name: "At most 1 robot in middle aisle", exact: true }).waitFor();
+      await inspector.getByRole("group", { name: /^At most 1 robot in middle aisle, broken / }).waitFor();
       await inspector.getByRole("button", { name: ASK }).click();
       await inspector.getByRole("group", { name: "At most 1 robot in middle aisle, +2 steps" }).waitFor();
       await inspector.getByRole("group", { name: "One way from (0, 0) to (5, 0), free" }).waitFor();
@@ -87,6 +87,47 @@ describe("rules of a scene's own", () => {
     await toggle.waitFor();
   });
 
+  flow("that is in force already is not added again", async (playground) => {
+    await solve(playground);
+    const { inspector } = playground;
+    await playground.pick("Zone");
+    await playground.stroke([2, 1], [2, 3]);
+    await playground.press("Add the rule");
+    await playground.says(/^This plan breaks a rule that came after it: /);
+    await inspector.getByRole("group", { name: /^At most 1 robot in zone 1, broken .* by A1 and A2$/ }).waitFor();
+    await inspector.getByRole("button", { name: "Zone zone 1" }).first().click();
+    await inspector.getByText("It is in force already").waitFor();
+    assert.ok(await inspector.getByRole("button", { name: "Add the rule" }).isDisabled());
+  });
+
+  flow("turns a nose by hand, by buttons, and takes it back", async (playground, { page }) => {
+    await playground.open({ name: "turns.json", bytes: JSON.stringify({
+      ...AISLES,
+      constraints: [{ kind: "turns", quarter: 1 }],
+    }) });
+    await playground.says(/^No plan yet\.$/);
+    const at = await playground.middleOf(6, 4);
+    await page.mouse.click(at.x, at.y);
+    await playground.showTab("Inspector");
+    const faces = playground.inspector.getByRole("group", { name: "Faces at its start" });
+    const pressed = (name) => faces.getByRole("button", { name, pressed: true }).waitFor();
+    await pressed("Any");
+    const grip = await page.locator(".turned-nose .nose-grip").boundingBox();
+    await page.mouse.move(grip.x + grip.width / 2, grip.y + grip.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(at.x, at.y - 60, { steps: 4 });
+    await page.mouse.up();
+    await pressed("Up");
+    await playground.picture("turned-nose");
+    // The robot itself stays where it is.
+    await playground.cellTells(6, 4, /A3/);
+    await playground.press("Undo");
+    await pressed("Any");
+    await faces.getByRole("button", { name: "Left" }).focus();
+    await playground.key("Enter");
+    await pressed("Left");
+  });
+
   flow("is done by keys alone", async (playground) => {
     await solve(playground);
     await playground.board.focus();
@@ -132,7 +173,7 @@ describe("rules about a robot", () => {
     await inspector.getByRole("button", { name: /^A3 starts from 1 on$/ }).click();
     await inspector.getByText(/^This plan breaks it/).waitFor();
     await playground.press("Add the rule");
-    await inspector.getByRole("group", { name: "A3 starts from 1 on", exact: true }).waitFor();
+    await inspector.getByRole("group", { name: /^A3 starts from 1 on, broken / }).waitFor();
     await playground.picture("rule-about-robot");
   }, { screens: BOTH });
 });
@@ -199,9 +240,9 @@ describe("rules that are there", () => {
       await row.waitFor();
       await eventually("all prices", () => inspector.locator(".rule-tag.busy").count(), (count) => count === 0);
       await inspector.getByRole("button", { name: "At most 1 robot in aisle 1: show and open" }).click();
-      await inspector.getByRole("button", { name: "Show that plan beside" }).click();
+      await inspector.getByRole("button", { name: "Why is it worth 2 steps?" }).click();
       await playground.picture(`rule-beside-${theme}`);
-      await inspector.getByRole("button", { name: "Show that plan beside" }).click();
+      await inspector.getByRole("button", { name: "Why is it worth 2 steps?" }).click();
       await inspector.getByRole("button", { name: "Why not a plan in which …?" }).click();
       await inspector.getByRole("button", { name: "Each cell stays free for 1 step behind any robot" }).click();
       await playground.picture(`rule-question-${theme}`);
@@ -209,6 +250,33 @@ describe("rules that are there", () => {
       await inspector.getByRole("button", { name: "Ask", exact: true }).click();
       await eventually("the answer", () => inspector.innerText(), (text) => /^Back\nWhy is it not so: "Each cell stays free for 1 step behind any robot"[^]*Who pays/.test(text));
       await playground.picture(`rule-asked-${theme}`);
+    }, { screens, theme });
+  }
+
+  for (const { theme, screens } of LOOKS) {
+    flow(`rules that leave no plan are marked, and one is loosened by the least that helps (${theme})`, async (playground, { screen }) => {
+      const late = { kind: "arrive", by: 9, agents: ["A1"], name: "in time" };
+      const aisle = { kind: "closed", zone: "aisles", from: 2, to: 12, agents: ["A1"] };
+      const zones = [{ name: "aisles", rect: [2, 1, 4, 3] }];
+      const scene = { ...AISLES, name: "too late", zones, constraints: [...AISLES.constraints, aisle, late] };
+      await playground.open({ name: "late.json", bytes: JSON.stringify(scene) });
+      await playground.shows("too late");
+      await playground.solver.click();
+      await playground.says(/^No plan/);
+      const { inspector, page } = playground;
+      await page.getByRole("button", { name: "Why is there no plan?" }).first().click();
+      // A phone has no timeline without a plan.
+      if (screen === "desktop") {
+        await page.getByRole("group", { name: "When the rules that leave no plan hold" }).waitFor();
+      }
+      await audit(playground, "times of rules that leave no plan");
+      await playground.picture(`rule-clash-${theme}`);
+      await inspector.getByRole("button", { name: /^Loosen: / }).first().click();
+      await inspector.getByText("The least that helps", { exact: true }).waitFor();
+      await audit(playground, "a rule that is loosened");
+      await playground.picture(`rule-loosened-${theme}`);
+      await inspector.locator(".looser .repair").first().click();
+      await playground.says(/^Optimal: makespan/);
     }, { screens, theme });
   }
 

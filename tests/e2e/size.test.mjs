@@ -1,5 +1,5 @@
 // What the page weighs on the wire until something moves, until the application is there,
-// and until it can solve.
+// until it can solve, and until all of it is there.
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -9,15 +9,20 @@ import { launch, open } from "./browser.mjs";
 import { bytes, dist } from "./dist.mjs";
 import { Playground } from "./page.mjs";
 import { serve } from "./server.mjs";
+import { eventually } from "./wait.mjs";
+
+/** What a first visit does not run. */
+const LATER = /^app-.*_later\.wasm$/;
 
 /**
  * What is asked for by then, and how much it may be, compressed by brotli, in bytes. What
  * that takes at 1.6 Mbit/s and 150 ms stands in docs/page.md.
  */
 const STAGES = [
-  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 27_800],
-  ["until the application is there", /^app-|^unstarted-|^static\/icons\.svg$/, 880_000],
-  ["until it can solve", /^worker-|^solver-/, 1_258_000],
+  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 32_600],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 622_000],
+  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 776_000],
+  ["until all of the page is there", LATER, 1_320_000],
 ];
 
 let host;
@@ -50,11 +55,14 @@ test("no program is fetched twice, and no stage of the first visit takes more th
   await playground.press("Solve");
   await playground.button("Solve").waitFor();
   await playground.says(/^Optimal: /);
+  await eventually("all of the page to be there", () => host.sent.some((path) => LATER.test(path)));
   await page.close();
 
   assert.deepEqual(host.missing, []);
   const programs = host.sent.filter((path) => /\.(wasm|js)$/.test(path));
   assert.deepEqual(programs, [...new Set(programs)], "something was fetched twice");
+  const at = (pattern) => host.sent.findIndex((path) => pattern.test(path));
+  assert.ok(at(LATER) > at(/^solver-.*\.wasm$/), "what a first visit does not run comes after what it does");
   const left = new Set(host.sent);
   let total = 0;
   for (const [when, pattern, limit] of STAGES) {

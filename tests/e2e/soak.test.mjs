@@ -9,6 +9,7 @@ import { flows } from "./flow.mjs";
 import { painting } from "./soak/brush.mjs";
 import { comingBack } from "./soak/come-back.mjs";
 import { editing } from "./soak/edit.mjs";
+import { flooring } from "./soak/floor.mjs";
 import { goingOn } from "./soak/go-on.mjs";
 import { refusesStorage } from "./soak/refused.mjs";
 import { Sitting } from "./soak/sitting.mjs";
@@ -25,7 +26,7 @@ const SEED = Number(process.env.GIVEWAY_SOAK_SEED ?? 1);
 /** What the tab may have grown by in the second half, in bytes: what a browser keeps, and a page may not. */
 const GROWTH = 150e6;
 
-const KINDS = [[6, painting], [4, editing], [6, solving], [5, goingOn], [3, looking], [4, comingBack], [1, elsewhere]];
+const KINDS = [[6, painting], [4, editing], [4, flooring], [6, solving], [5, goingOn], [3, looking], [4, comingBack], [1, elsewhere]];
 
 /** In every fifth sitting the browser keeps nothing from some moment on. */
 const REFUSING = 5;

@@ -14,7 +14,7 @@ import { dist } from "./dist.mjs";
 import { eventually } from "./wait.mjs";
 
 /** How long a person waits at most. */
-const SOON = 3000;
+const SOON = 5000;
 const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".json": "application/json" };
 const SCENE = "giveway=1&map=3.3f&name=line&rules=0.0&costs=0&agents=A.0.0.2.0&plan=2r";
 

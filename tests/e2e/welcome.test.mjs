@@ -184,7 +184,7 @@ describe("the tour", () => {
     await tour.pointsAt(price);
     await price.click();
     await tour.at("Go on with the course");
-    await playground.inspector.getByText("+1 step", { exact: true }).waitFor();
+    await playground.inspector.getByRole("group", { name: /At most 1 robot in zone 1, / }).waitFor();
     await tour.pointsAt(playground.button(playground.isPhone() ? "More" : "Course"));
     await playground.picture("tour-course");
     await playground.act("Course");

@@ -7,6 +7,7 @@ import { eventually } from "../e2e/wait.mjs";
 import { revising } from "./change.mjs";
 import { atOnce, crowd, painting } from "./crowd.mjs";
 import { SOLVED, figure, inPage, middle, smoothness } from "./figure.mjs";
+import { floor } from "./floor.mjs";
 import { mustBeSo } from "./freedom.mjs";
 import { network } from "./network.mjs";
 import { Tab } from "./process.mjs";
@@ -18,7 +19,7 @@ const TIMES = 5;
 const SOLVING = 8;
 
 /** The figures by what they are about: functions of the page's address. */
-export const FIGURES = { opening, network, playing, crowd, atOnce, painting, solving, bound, proof, mustBeSo, revising, memory };
+export const FIGURES = { opening, network, playing, crowd, atOnce, painting, floor, solving, bound, proof, mustBeSo, revising, memory };
 
 async function opening(url) {
   const paints = [];

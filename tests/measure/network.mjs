@@ -41,15 +41,18 @@ async function fill(host) {
   await browser.close();
 }
 
+/** It holds for the page, not for its workers: they fetch some 3 kB of their own, and have what they run from the page. */
+export async function slowDown(context, page) {
+  const session = await context.newCDPSession(page);
+  await session.send("Network.enable");
+  await session.send("Network.emulateNetworkConditions", SLOW);
+}
+
 async function visit(url) {
   const browser = await launch();
   try {
     const { context, page } = await open(browser, { serviceWorkers: "block" });
-    const session = await context.newCDPSession(page);
-    // It holds for the page, not for its workers: they fetch some 3 kB of their own, and have
-    // what they run from the page.
-    await session.send("Network.enable");
-    await session.send("Network.emulateNetworkConditions", SLOW);
+    await slowDown(context, page);
     await page.addInitScript(watch);
     await page.addInitScript(solveAtOnce);
     await page.goto(url, { waitUntil: "commit" });

@@ -368,7 +368,7 @@ fn reasons_are_said_in_the_language_that_is_spoken() {
                 has_batteries: false,
                 rule: None,
             })),
-            "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht im Tunnel.",
+            "Das Ziel von A1 ist jetzt (3, 1), und das liegt nicht nahe dem alten Weg.",
         ),
     ] {
         assert_eq!(reason(&given), german);

@@ -133,6 +133,7 @@ mod layers {
             "giveway-picture",
             "giveway-proof",
             "giveway-planners",
+            "giveway-order",
             "giveway-solve",
             "giveway-page",
             "giveway-course",
@@ -205,6 +206,23 @@ mod layers {
         ];
         expect_none(&uses("crates/giveway-picture", &[], &surroundings));
         expect_none(&uses("crates/giveway-picture", &[], BROWSER));
+    }
+
+    #[test]
+    fn orders_know_the_model_alone() {
+        let others = [
+            "varisat",
+            "giveway_solve",
+            "giveway_planners",
+            "std::fs",
+            "std::io",
+            "std::env",
+            "std::process",
+            "std::thread",
+            "std::time",
+        ];
+        expect_none(&uses("crates/giveway-order/src", &[], &others));
+        expect_none(&uses("crates/giveway-order", &[], BROWSER));
     }
 
     #[test]

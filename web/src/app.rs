@@ -11,14 +11,17 @@ use yew::prelude::*;
 use crate::board::BoardProps;
 use crate::dialog::AgentsProps;
 use crate::dialog::ExamplesProps;
-use crate::dialog::FindProps;
 use crate::dialog::NewSceneProps;
+use crate::dialog::ReportProps;
 use crate::dialog::SaveAsProps;
 use crate::dialog::ScenesProps;
 use crate::dialog::ShareProps;
-use crate::dialog::{Agents, Examples, FindRobot, NewScene, Panel, SaveAs, Scenes, Share, help};
+use crate::dialog::{
+    Agents, Examples, NewScene, Panel, Report, SaveAs, Scenes, Share, help, report_sheet,
+};
 use crate::drop::Drop;
 use crate::drop::DropProps;
+use crate::floor_plan::use_kept_floor_plan;
 use crate::foreign::use_foreign_changes;
 use crate::inspector::InspectorProps;
 use crate::intake::use_intake;
@@ -103,6 +106,7 @@ pub fn App() -> Html {
     use_solver(&state, &send);
     use_intake(&state, &send, &show);
     use_keep(&state, &send);
+    use_kept_floor_plan(&state, &send);
     use_theme(state.view.theme);
     use_colours(state.document.colours);
     glyph::set_looks(state.looks());
@@ -111,6 +115,8 @@ pub fn App() -> Html {
     use_paste(&state, &send, &show, is_embedded);
     use_wide(&send);
     let is_printing = sheet::use_printing();
+    // What is printed then is the report alone.
+    let is_reported = panel == Panel::Report;
     let is_presented = state.is_presented();
     use_presenting(is_presented, &send);
     if is_embedded {
@@ -125,6 +131,7 @@ pub fn App() -> Html {
     }
     let is_answering = state.document.mode.asking().is_some()
         || giveway_page::ledger::column(&state).is_some()
+        || state.shows_order()
         || state.is_writing_rule();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
@@ -134,7 +141,7 @@ pub fn App() -> Html {
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> key={built} context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), state.is_inside().then_some("inside"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)} data-presents={presents(&state)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.view.tab)} data-presents={presents(&state)}>
                 if is_presented {
                     { present::head(&state, &send) }
                 } else {
@@ -151,12 +158,13 @@ pub fn App() -> Html {
                     </div>
                     { compare::show(&settled, &send) }
                 </main>
-                if is_printing { { sheet::head(&state) } }
+                if is_printing && !is_reported { { sheet::head(&state) } }
+                if is_printing && is_reported { <div class="paper-report">{ report_sheet(&state) }</div> }
                 if state.lesson().is_none() && !is_presented {
                     { part::<Inspector>(InspectorProps { state: state.clone(), send: send.clone() }) }
                 }
                 { course.place() }
-                if is_printing { { sheet::foot(&state) } }
+                if is_printing && !is_reported { { sheet::foot(&state) } }
                 if is_presented {
                     { present::foot(&state, has_dock && state.plan().is_some(), &send) }
                 } else if has_dock {
@@ -164,9 +172,6 @@ pub fn App() -> Html {
                 }
                 { notice::show(state.view.notice.as_ref(), &send) }
                 { part::<Drop>(DropProps { state: state.clone(), send: send.clone(), show: show.clone() }) }
-                if state.view.find.is_some() {
-                    { part::<FindRobot>(FindProps { state: state.clone(), send: send.clone() }) }
-                }
                 { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>
@@ -185,6 +190,9 @@ fn dialog(panel: &Panel, state: &Shown, send: &Callback<Action>, show: &Callback
         Panel::New => html! { { part::<NewScene>(NewSceneProps { send, on_close }) } },
         Panel::SaveAs => {
             html! { { part::<SaveAs>(SaveAsProps { state: state.clone(), send, on_close }) } }
+        }
+        Panel::Report => {
+            html! { { part::<Report>(ReportProps { state: state.clone(), on_close }) } }
         }
         Panel::Scenes => {
             html! { { part::<Scenes>(ScenesProps { state: state.clone(), send, on_close }) } }

@@ -1,6 +1,7 @@
 //! Fields for names and whole numbers.
 
 use crate::part::part;
+use giveway_model::tr;
 use giveway_page::number;
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -17,6 +18,9 @@ pub(crate) struct FieldProps {
     /// Which whole numbers are possible, where it holds one.
     #[prop_or_default]
     pub(crate) range: Option<(u32, u32)>,
+    /// Whether it holds a measure, which may have decimals.
+    #[prop_or_default]
+    pub(crate) is_measure: bool,
     /// Takes what was typed.
     pub(crate) on_change: Callback<String>,
 }
@@ -43,13 +47,15 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
     let change = {
         let on_change = props.on_change.clone();
         let (range, can_be_empty) = (props.range, props.empty.is_some());
+        let is_measure = props.is_measure;
         let refused = refused.clone();
         Callback::from(move |event: Event| {
             let input: HtmlInputElement = event.target_unchecked_into();
             let typed = input.value();
             let is_empty = can_be_empty && typed.trim().is_empty();
             let is_possible = |range| is_empty || number::read(&typed, range).is_some();
-            refused.set(!range.is_none_or(is_possible));
+            let is_fault = is_measure && number::measure(&typed).is_none();
+            refused.set(is_fault || !range.is_none_or(is_possible));
             on_change.emit(typed);
             typing.set(None);
         })
@@ -57,10 +63,11 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
     html! {
         <label>
             { &props.label }
-            <input class="field" type="text" inputmode={props.range.and(Some("numeric"))}
+            <input class="field" type="text" inputmode={if props.is_measure { Some("decimal") } else { props.range.and(Some("numeric")) }}
                 autocomplete="off" value={shown} placeholder={props.empty.clone()} aria-label={props.label.clone()}
                 oninput={input} onchange={change} />
             if let Some(range) = props.range.filter(|_| *refused) { { possible(range) } }
+            if props.is_measure && *refused { <small class="possible" role="status">{ number::possible_measure() }</small> }
         </label>
     }
 }
@@ -91,6 +98,71 @@ pub(crate) fn number(
     });
     let text = value.map(|n| n.to_string()).unwrap_or_default();
     html! {
-        { part::<Field>(FieldProps { label: label.into(), value: text.into(), empty: empty.map(AttrValue::from), range: Some(range), on_change: change }) }
+        { part::<Field>(FieldProps { label: label.into(), value: text.into(), empty: empty.map(AttrValue::from), range: Some(range), is_measure: false, on_change: change }) }
+    }
+}
+
+/// A number in a sentence, between two, both included; an empty field is none. What is not
+/// possible is taken back.
+pub(crate) fn slot(
+    name: &'static str,
+    value: Option<u32>,
+    range: (u32, u32),
+    on_change: Callback<Option<u32>>,
+) -> Html {
+    let shown = value.map(|n| n.to_string()).unwrap_or_default();
+    let on_change = Callback::from(move |typed: String| {
+        let number = number::read(&typed, range);
+        if number.is_some() || typed.trim().is_empty() {
+            on_change.emit(number);
+        }
+    });
+    let hints = (
+        tr!("several robots" => "none"),
+        number::possible(range).into(),
+    );
+    html! { { part::<Slot>(SlotProps { name, value: shown.into(), hints: Some(hints), on_change }) } }
+}
+
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct SlotProps {
+    /// What the number is, with its unit.
+    pub(crate) name: &'static str,
+    /// What stands in it.
+    pub(crate) value: AttrValue,
+    /// What an empty field means, and which numbers are possible.
+    #[prop_or_default]
+    pub(crate) hints: Option<(&'static str, AttrValue)>,
+    /// Takes what was typed.
+    pub(crate) on_change: Callback<String>,
+}
+
+/// A field for a number in a sentence. What the state does not take is taken back.
+#[component]
+pub(crate) fn Slot(props: &SlotProps) -> Html {
+    // The page may be rendered anew while somebody types: that must not take it back.
+    let typing = use_state_eq(|| None::<String>);
+    let oninput = {
+        let typing = typing.clone();
+        Callback::from(move |event: InputEvent| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            typing.set(Some(input.value()));
+        })
+    };
+    let onchange = {
+        let (typing, on_change) = (typing.clone(), props.on_change.clone());
+        Callback::from(move |event: Event| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            on_change.emit(input.value());
+            typing.set(None);
+        })
+    };
+    let value = (*typing)
+        .clone()
+        .map_or_else(|| props.value.clone(), AttrValue::from);
+    let (empty, possible) = props.hints.clone().unzip();
+    html! {
+        <input class="num1" type="text" inputmode="decimal" autocomplete="off" aria-label={props.name}
+            title={possible} placeholder={empty} {value} {oninput} {onchange} />
     }
 }

@@ -3,7 +3,10 @@
 use std::rc::Rc;
 
 use giveway_model::{tr, tr_data};
-use giveway_page::files::{Opened, Reading, Saved, picture_name, read_beside, too_large};
+use giveway_page::files::{
+    Opened, Reading, Saved, picture_name, read_beside, robots_file, sizing_file, too_large,
+};
+use giveway_page::floor_plan::brought;
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
@@ -16,6 +19,7 @@ use yew::platform::spawn_local;
 use crate::Shown;
 use crate::board;
 use crate::dialog::Panel;
+use crate::floor_plan;
 
 /// Where the examples are, from the page on.
 const EXAMPLES: &str = "static/examples";
@@ -86,7 +90,10 @@ pub(crate) fn open(
     let state = state.clone();
     spawn_local(async move {
         match read_all(&files).await {
-            Ok(opened) => read(&state, opened, &send, &show),
+            Ok(opened) => match brought(&opened) {
+                Some(picture) => floor_plan::lay(picture, &send).await,
+                None => read(&state, opened, &send, &show),
+            },
             Err(notice) => take(Err(notice), &send, &show),
         }
     });
@@ -151,6 +158,22 @@ async fn read_all(files: &[File]) -> Result<Vec<Opened>, Notice> {
 pub(crate) fn save(saved: &Saved) {
     let blob = Blob::new_with_options(saved.text.as_str(), Some("application/json"));
     save_as(&saved.name, blob);
+}
+
+/// Hands the robots as a table to the browser to be saved.
+pub(crate) fn save_robots(state: &State) {
+    if let Some(saved) = robots_file(state) {
+        let blob = Blob::new_with_options(saved.text.as_str(), Some("text/csv"));
+        save_as(&saved.name, blob);
+    }
+}
+
+/// Hands what is known of how many robots the floor bears to the browser, as a table.
+pub(crate) fn save_sizing(state: &State) {
+    if let Some(saved) = sizing_file(state) {
+        let blob = Blob::new_with_options(saved.text.as_str(), Some("text/csv"));
+        save_as(&saved.name, blob);
+    }
 }
 
 /// Hands the board as it looks now to the browser to be saved, as SVG or PNG;

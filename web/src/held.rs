@@ -10,6 +10,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use web_sys::HtmlElement;
 use yew::prelude::*;
 
 /// A value that is taken, set and copied, but never borrowed.
@@ -50,4 +51,52 @@ impl<T: Default> Held<T> {
 #[hook]
 pub(crate) fn use_held<T: 'static>(first: impl FnOnce() -> T) -> Rc<Held<T>> {
     use_memo((), |()| Held::new(first()))
+}
+
+/// The height of an element before it was held, in pixels. It is looked at while a component is
+/// rendered anew: the page still shows what was there before.
+#[hook]
+pub(crate) fn use_height_before(
+    is_held: bool,
+    element: impl FnOnce() -> Option<HtmlElement>,
+) -> Option<i32> {
+    let before = use_held(|| (is_held, None));
+    let (was_held, height) = before.get();
+    let height = if is_held && !was_held {
+        element().map(|element| element.offset_height())
+    } else {
+        height
+    };
+    before.set((is_held, height));
+    height
+}
+
+/// Properties of [`HeldPlace`].
+#[derive(Clone, PartialEq, Properties)]
+pub(crate) struct HeldPlaceProps {
+    /// Whether what stands in it is out of date, or on its way.
+    pub(crate) is_held: bool,
+    /// What stands in it.
+    pub(crate) content: Html,
+}
+
+/// A place that keeps its height while it is held: what stands below does not move.
+#[component]
+pub(crate) fn HeldPlace(props: &HeldPlaceProps) -> Html {
+    let place = use_node_ref();
+    let is_held = props.is_held;
+    let height = use_height_before(is_held, || place.cast());
+    {
+        let place = place.clone();
+        use_effect_with((is_held, height), move |&(is_held, height)| {
+            let Some(place) = place.cast::<HtmlElement>() else {
+                return;
+            };
+            let height = height.filter(|_| is_held);
+            let height = height.map_or(String::new(), |height| format!("{height}px"));
+            // Without it, things move.
+            let _ = place.style().set_property("min-height", &height);
+        });
+    }
+    html! { <div class="held-place" ref={place}>{ props.content.clone() }</div> }
 }

@@ -3,6 +3,7 @@
 
 use giveway_page::{
     Action,
+    area::AreaAction,
     keys::{Command, Key, command},
 };
 use gloo::events::{EventListener, EventListenerOptions};
@@ -11,11 +12,14 @@ use web_sys::{Element, Event, KeyboardEvent};
 use yew::prelude::*;
 
 use crate::Shown;
+use crate::board::copy_area;
 use crate::dialog::Panel;
 use crate::held::use_held;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
+/// Fields that are not typed into: they leave keys with Ctrl to the page.
+const SWITCHES: &str = "input:is([type=checkbox], [type=radio], [type=range])";
 /// What Space presses.
 const PRESSED: &str = "button, a, summary, label";
 
@@ -37,6 +41,7 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                 let Some(command) = command else { return };
                 event.prevent_default();
                 match command {
+                    Command::Act(Action::Area(AreaAction::Copy)) => copy_area(&latest.get(), &send),
                     Command::Act(action) => send.emit(action),
                     // The key that opens the list of keys closes it, too.
                     Command::Help if help_is_open() => show.emit(Panel::Nothing),
@@ -60,7 +65,8 @@ fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {
         alt: event.alt_key(),
     };
     let everywhere = name == "Escape" || (key.ctrl && name == "Enter");
-    if (is_in(event, FIELDS) && !everywhere) || (name == " " && is_in(event, PRESSED)) {
+    let is_for_field = is_in(event, FIELDS) && !(key.ctrl && is_in(event, SWITCHES));
+    if (is_for_field && !everywhere) || (name == " " && is_in(event, PRESSED)) {
         return None;
     }
     command(key, state)

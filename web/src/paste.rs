@@ -1,7 +1,9 @@
 //! What is pasted anywhere but into a field: it is opened as a file is.
 
 use giveway_model::{tr, tr_data};
+use giveway_page::area::AreaAction;
 use giveway_page::files::{Pasted, pasted};
+use giveway_page::robots::RobotsAction;
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
@@ -39,7 +41,8 @@ pub(crate) fn use_paste(
                 let state = latest.get();
                 files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
-                take(&latest.get(), &text, &send, &show);
+                let in_table = is_in(event, ".rgrid");
+                take(&latest.get(), &text, in_table, &send, &show);
             } else {
                 return;
             }
@@ -52,7 +55,20 @@ pub(crate) fn use_paste(
 }
 
 /// Opens a text; what the page does not read by itself is left to the reader.
-fn take(state: &State, text: &str, send: &Callback<Action>, show: &Callback<Panel>) {
+fn take(
+    state: &State,
+    text: &str,
+    in_table: bool,
+    send: &Callback<Action>,
+    show: &Callback<Panel>,
+) {
+    if giveway_page::area::is_copied(state, text) {
+        return send.emit(Action::Area(AreaAction::Paste));
+    }
+    if in_table || state.takes_robots(text) {
+        let robots = RobotsAction::Paste(text.to_owned(), in_table);
+        return send.emit(Action::Robots(robots));
+    }
     match pasted(state, text) {
         Ok(Pasted::File(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
         Ok(Pasted::Read(reading)) => files::take(Ok(reading), send, show),
@@ -82,7 +98,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
         match JsFuture::from(read).await {
             Ok(text) => {
                 let text = text.as_string().unwrap_or_default();
-                take(&state, &text, &send, &show);
+                take(&state, &text, false, &send, &show);
             }
             Err(_) => send.emit(Action::File(FileAction::Refuse(refused))),
         }

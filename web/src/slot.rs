@@ -9,6 +9,7 @@ use yew::prelude::*;
 use crate::board::Small;
 use crate::board::SmallProps;
 use crate::part::part;
+use crate::turning::{Turning, TurningProps, turning};
 use crate::{icon, keep};
 
 /// What is said now, if anything is.
@@ -36,11 +37,18 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
     let is_welcome = said.kind == Kind::Welcome;
     let close = said.close.clone().map(|action| {
         let press = send.reform(move |_: MouseEvent| action.clone());
-        html! {
-            <button type="button" class="btn ghost round slot-close" title={tr!("Close")} onclick={press}>
-                { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
-            </button>
-        }
+        let content =
+            html! { <>{ icon::show("cancel") }<span class="vh">{ tr!("Close") }</span></> };
+        part::<Turning>(TurningProps {
+            meaning: said.title.into(),
+            class: classes!("btn", "ghost", "round", "slot-close"),
+            title: Some(tr!("Close").into()),
+            label: None,
+            is_off: false,
+            is_toggle: false,
+            content,
+            onclick: press,
+        })
     });
     html! {
         <section class={if is_welcome { "slot welcome" } else { "slot" }} aria-label={said.title}>
@@ -54,7 +62,7 @@ fn card(state: &State, said: &Message, send: &Callback<Action>) -> Html {
                     { small(there, tr!("Other tab")) }
                 </div>
             }
-            <div class="slot-acts">{ for said.buttons.iter().map(|it| button(state, it, send)) }</div>
+            <div class="slot-acts">{ for said.buttons.iter().map(|it| button(state, said, it, send)) }</div>
             { close }
         </section>
     }
@@ -66,7 +74,7 @@ fn small(draft: &std::rc::Rc<Draft>, name: &'static str) -> Html {
     }
 }
 
-fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
+fn button(state: &State, said: &Message, button: &Button, send: &Callback<Action>) -> Html {
     let class = match button.weight {
         Weight::Filled => "primary",
         Weight::Outlined => "outline",
@@ -101,10 +109,16 @@ fn button(state: &State, button: &Button, send: &Callback<Action>) -> Html {
             })
         }
     };
-    html! {
-        <button type="button" class={classes!("btn", class)} onclick={press}>
+    let content = html! {
+        <>
             { button.icon.map(icon::show) }<span>{ button.name }</span>
             if let Some(remark) = button.remark { <small>{ remark }</small> }
-        </button>
-    }
+        </>
+    };
+    turning(
+        class,
+        format!("{}: {}", said.title, button.name),
+        content,
+        press,
+    )
 }

@@ -1,11 +1,11 @@
-//! Whether there is room for two boards side by side.
+//! Whether there is room for two boards: side by side, or as pages that a finger swipes.
 
 use giveway_page::{Action, ViewAction};
 use gloo::events::EventListener;
 use yew::prelude::*;
 
-/// Larger than a phone, upright or lying: as in the style sheets.
-const WIDE: &str = "(min-width: 721px) and (min-height: 481px)";
+/// All but a phone that lies: as in the style sheets.
+const WIDE: &str = "(min-height: 481px)";
 
 /// Tells the state how much room there is, now and when that changes.
 #[hook]

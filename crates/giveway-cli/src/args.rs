@@ -14,10 +14,13 @@ mod compare;
 mod convert;
 mod explain;
 mod freedom;
+mod order;
 mod picture;
 mod price;
 mod reading;
+mod report;
 mod ruling;
+mod sizing;
 mod solve;
 mod sweep;
 
@@ -28,10 +31,13 @@ pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
+pub(crate) use order::Order;
 pub(crate) use picture::Picture;
 pub(crate) use price::Price;
 pub(crate) use reading::Reading;
+pub(crate) use report::Report;
 pub(crate) use ruling::Ruling;
+pub(crate) use sizing::Sizing;
 pub(crate) use solve::Solve;
 pub(crate) use sweep::{Sweep, Table};
 
@@ -117,8 +123,12 @@ pub(crate) enum Command {
     Explain(Explain),
     /// Tell what must be so in every best plan, and what is free to choose
     Freedom(Freedom),
+    /// Tell in which order robots pass each cell, and who is pushed if one is late
+    Order(Order),
     /// Tell what each rule of the scene's own costs
     Price(Price),
+    /// Tell how many robots a floor bears
+    Sizing(Sizing),
     /// Find new plans after the world has changed
     Change(Change),
     /// Check exported certificates again, without the solver
@@ -127,6 +137,8 @@ pub(crate) enum Command {
     Convert(Convert),
     /// Draw a plan: at a time, or moving
     Picture(Picture),
+    /// Write a report of a plan: what is proved, the map, costs, each robot
+    Report(Report),
     /// Do many tasks, such as a benchmark, or a part of them
     Sweep(Sweep),
     /// Make tables and plots of a sweep's results

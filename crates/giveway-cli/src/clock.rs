@@ -7,6 +7,7 @@
 use std::time::Instant;
 
 use cpu_time::ProcessTime;
+use giveway_solve::Limits;
 
 /// Wall time since the command began, and its CPU time.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,15 @@ impl Clock {
     /// Wall seconds since the start.
     pub(crate) fn wall_seconds(self) -> f64 {
         self.begin.elapsed().as_secs_f64()
+    }
+
+    /// The limits of a request where the whole command has so many seconds: reading the input
+    /// has taken its part of them.
+    pub(crate) fn limits(self, time_limit: Option<f64>) -> Limits {
+        Limits {
+            seconds: time_limit.map(|limit| (limit - self.wall_seconds()).max(0.0)),
+            ..Limits::default()
+        }
     }
 
     /// CPU seconds of the whole process; wall seconds where the system does not

@@ -187,6 +187,7 @@ impl Known {
             | Progress::Freedom { .. }
             | Progress::Priced { .. }
             | Progress::Delays { .. }
+            | Progress::Sized { .. }
             | Progress::Traced { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}

@@ -33,6 +33,7 @@ mod matching;
 pub mod movingai;
 mod multi_robot;
 mod paths;
+pub mod pgm;
 mod place;
 mod recognise;
 mod remarks;

@@ -13,12 +13,16 @@ pub mod compare;
 pub mod condition;
 pub mod constraint;
 mod cost;
+pub mod csv;
+mod decimal;
 mod fault;
+pub mod fleet;
 pub mod format;
 mod grid;
 mod instance;
 pub mod message;
 mod object;
+pub mod parts;
 mod plan;
 pub mod question;
 mod release;
@@ -26,6 +30,7 @@ mod rules;
 mod scene;
 pub mod snapshot;
 pub mod sorting;
+mod units;
 mod version;
 pub mod words;
 
@@ -35,6 +40,7 @@ pub use cell::Cell;
 pub use condition::Condition;
 pub use constraint::{Constraint, Zone};
 pub use cost::{Cost, Costs, Objective, ObjectiveError, UnknownCost};
+pub use decimal::decimal;
 pub use fault::Fault;
 pub use grid::{Grid, GridError, Ground};
 pub use instance::{
@@ -45,6 +51,7 @@ pub use question::Question;
 pub use release::release;
 pub use rules::{AtGoal, Rules};
 pub use scene::Scene;
+pub use units::{Measure, Units};
 pub use version::Version;
 
 /// The examples of the README are tests.

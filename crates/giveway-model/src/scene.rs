@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::object::null_is_default;
 use crate::object_only;
-use crate::{Agent, Assumption, Constraint, Objective, Rules, Version, Zone};
+use crate::{Agent, Assumption, Constraint, Objective, Rules, Units, Version, Zone};
 
 /// An instance as a person writes it: plain data that may be wrong.
 ///
@@ -48,6 +48,9 @@ pub struct Scene {
         skip_serializing_if = "Vec::is_empty"
     )]
     pub constraints: Vec<Constraint>,
+    /// What a cell and a time step are in the world.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<Units>,
 }
 
 object_only!(Scene);

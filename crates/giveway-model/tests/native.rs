@@ -157,7 +157,7 @@ fn unknown_keys_are_refused_with_their_place() {
     check(
         &spoilt("\"map\"", "\"mapp\""),
         "line 3, column 3: found the unknown key \"mapp\", \
-         expected one of giveway, name, map, rules, objective, agents, assumptions, zones, constraints",
+         expected one of giveway, name, map, rules, objective, agents, assumptions, zones, constraints, units",
     );
     check(
         &spoilt("\"initial\"", "\"level\": 3, \"initial\""),

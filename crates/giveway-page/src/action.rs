@@ -1,33 +1,40 @@
 //! What can happen to the page, by the place where it does.
 
 mod ask;
+mod file;
 mod worker;
 
 use std::rc::Rc;
 
-use giveway_model::{Cell, Scene};
+use giveway_model::Cell;
 use giveway_solve::plan::Planner;
 
+use crate::area::AreaAction;
 use crate::audit::AuditAction;
-use crate::changing::Choice;
+use crate::changing::{Choice, Filled};
 use crate::draw::{Measure, Shape};
 use crate::files::Opened;
 use crate::find::FindAction;
 use crate::fleet::FleetAction;
+use crate::floor_plan::FloorPlanAction;
 use crate::freedom::FreedomAction;
+use crate::grow::GrowAction;
 use crate::inside::InsideAction;
 use crate::intake::{Save, protocol::Reply};
 use crate::ledger::LedgerAction;
 use crate::lesson::LessonAction;
-use crate::link::Linked;
+use crate::order::OrderAction;
 use crate::planners::By;
 use crate::present::Presenting;
+use crate::robots::RobotsAction;
 use crate::rules::RuleAction;
+use crate::sizing::SizingAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
-use crate::{ComparedLanes, Edit, Fill, Moment, Notice, Selection, Speed, Tab, Theme, Tool};
+use crate::{ComparedLanes, Edit, Fill, Fold, Selection, Speed, Tab, Theme, Tool};
 
 pub use ask::AskAction;
+pub use file::FileAction;
 pub use worker::WorkerAction;
 
 /// What a person did, what the solver told, or that time went on.
@@ -59,12 +66,24 @@ pub enum Action {
     Inside(InsideAction),
     /// A robot is looked for by its name.
     Find(FindAction),
+    /// A part of the floor is selected, or something is done with it.
+    Area(AreaAction),
+    /// The floor gets rows and columns, or loses some.
+    Grow(GrowAction),
+    /// The table of the robots.
+    Robots(RobotsAction),
     /// Several robots are to come onto the board.
     Fleet(FleetAction),
+    /// How many robots does the floor bear?
+    Sizing(SizingAction),
+    /// A picture of the floor is under the grid.
+    FloorPlan(FloorPlanAction),
     /// What all best plans share is laid over the plan.
     Freedom(FreedomAction),
     /// Who costs whom is asked of the plan.
     Ledger(LedgerAction),
+    /// Who passes a cell after whom is asked of the plan.
+    Order(OrderAction),
     /// Other people's files come in and go out.
     Intake(IntakeAction),
     /// The plan plays.
@@ -77,25 +96,6 @@ pub enum Action {
     Slot(SlotAction),
     /// A lesson is on the board.
     Lesson(LessonAction),
-}
-
-/// Documents come and go.
-#[derive(Clone, Debug, PartialEq)]
-pub enum FileAction {
-    /// A scene was opened: it takes the place of the one on the board.
-    Open(Box<Scene>),
-    /// A link, a file, or what the browser kept was opened.
-    OpenLink(Box<Linked>),
-    /// Back to the document that another one was opened in the place of.
-    Back,
-    /// What was displaced need not be told any longer.
-    Keep,
-    /// A document that the browser kept takes the place of the one on the board.
-    Resume(Box<Moment>),
-    /// Something could not be done; the document stays.
-    Refuse(Notice),
-    /// Tells why a link is not opened.
-    RefuseLink(Notice),
 }
 
 /// Other people's files come in and go out, by way of the reader.
@@ -179,8 +179,7 @@ pub enum BoardAction {
     Release,
     /// Removes what is selected.
     Delete,
-    /// Leaves the stroke, or the agent that is being placed, as if it had never
-    /// begun.
+    /// Leaves the stroke, or the agent being placed, as if it had never begun.
     Abandon,
     /// The selection changed.
     Select(Selection),
@@ -214,6 +213,10 @@ pub enum SolveAction {
 pub enum ChangeAction {
     /// The world changes at the time shown.
     Begin,
+    /// An agent breaks down at the time shown, by its index.
+    BreakDown(usize),
+    /// A slot of the sentence of a listed breakdown is filled, by its place in the list.
+    Fill(usize, Filled),
     /// Leave what changes, as if it did not.
     Discard,
     /// Take a listed change back, by its place in the list.
@@ -264,6 +267,8 @@ pub enum ViewAction {
     Follow(bool),
     /// Shows or hides the plan table.
     ShowTable(bool),
+    /// Unfolds a part of the inspector, or folds it.
+    Unfold(Fold, bool),
     /// What a phone shows below the board.
     ShowTab(Tab),
     /// Whether there is room for two boards side by side.

@@ -31,6 +31,9 @@ pub struct Answer {
     /// The planner of the textbook whose plan it is; `None` where it is of the search
     /// for the best plan, or from elsewhere.
     pub by: Option<Planner>,
+    /// How far bounds of a search on this page prove that none is better, where the plan came
+    /// from an answer about that search's plan.
+    pub(crate) proved_by_bounds: Option<Reach>,
 }
 
 impl Answer {
@@ -55,6 +58,7 @@ impl Answer {
             course: None,
             is_shared: false,
             by: None,
+            proved_by_bounds: None,
         }
     }
 
@@ -92,6 +96,7 @@ impl Answer {
             course: Some(Rc::new(course)),
             is_shared: false,
             by: None,
+            proved_by_bounds: None,
         })
     }
 
@@ -151,7 +156,10 @@ impl Answer {
             && self.by.is_none()
             && self.course.is_none()
             && self.solved.trace.is_some();
-        (is_own && self.solved.status == Status::Optimal).then_some(self.solved.reach)
+        let searched = is_own
+            .then_some(self.solved.reach)
+            .or(self.proved_by_bounds);
+        searched.filter(|_| self.solved.status == Status::Optimal)
     }
 
     /// The index, in the draft that was solved, of an agent of another draft.

@@ -266,8 +266,13 @@ impl Asking {
             ..solved.clone()
         };
         let (draft, request) = (Rc::clone(&self.about.draft), Rc::clone(&self.about.request));
+        let is_searched = solved.trace.is_some() && self.about.is_searched();
+        let proved_by_bounds = (is_searched && is_least).then_some(answer.reach);
         let answer = match self.about.course.as_deref() {
-            None => Answer::new(draft, request, answer),
+            None => Answer {
+                proved_by_bounds,
+                ..Answer::new(draft, request, answer)
+            },
             Some(course) => {
                 let (changes, steps) = (course.changes.clone(), course.steps.clone());
                 Answer::over_time(draft, request, answer, changes, steps).ok()?

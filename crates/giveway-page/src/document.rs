@@ -9,6 +9,7 @@ use crate::course::World;
 use crate::freedom::Freedom;
 use crate::front::Front;
 use crate::ledger::Ledger;
+use crate::order::OrderKnown;
 use crate::planners::Runs;
 use crate::{Activity, Answer, Colours, Draft, Looks, Mode};
 
@@ -38,6 +39,8 @@ pub struct Document {
     pub(crate) found_freedom: Option<Rc<Freedom>>,
     /// Who costs whom; it may be of an older answer, see [`Document::ledger`].
     pub(crate) found_ledger: Option<Rc<Ledger>>,
+    /// Who passes a cell after whom; it may be of an older answer, see [`Document::order`].
+    pub(crate) found_order: Option<Rc<OrderKnown>>,
     /// What is being done with the plan.
     pub mode: Mode,
     /// Which look each agent has: its form, and the colour that comes with it.
@@ -58,6 +61,7 @@ impl Document {
             checked: None,
             found_freedom: None,
             found_ledger: None,
+            found_order: None,
             mode: Mode::default(),
             looks: Looks::default(),
             colours: Colours::default(),

@@ -18,7 +18,7 @@ impl State {
             && is_same_time
             && self.settings == other.settings
             && self.history.past().len() == other.history.past().len()
-            && same_document(&self.document, &other.document)
+            && same_document(self.own_document(), other.own_document())
     }
 }
 

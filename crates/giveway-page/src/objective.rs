@@ -1,6 +1,6 @@
 //! An objective as a person orders it: each step gives another objective.
 
-use giveway_model::{Cost, Objective};
+use giveway_model::{Cost, Objective, tr};
 
 /// The objective with one cost put before the one above it; unchanged for the
 /// first, or where the cost is not in it.
@@ -57,6 +57,24 @@ fn swapped(objective: &Objective, cost: Cost, to: impl Fn(usize) -> Option<usize
 /// nothing.
 fn or_as_it_is(objective: &Objective, costs: Vec<Cost>) -> Objective {
     Objective::new(costs).unwrap_or_else(|_| objective.clone())
+}
+
+/// What to know of an objective before it is used; `None` where there is nothing.
+///
+/// ```
+/// use giveway_model::{Cost, Objective};
+/// use giveway_page::objective::caution;
+/// let of = |costs: &[Cost]| caution(&Objective::new(costs.to_vec()).unwrap()).is_some();
+/// assert!(of(&[Cost::Makespan, Cost::Waits]));
+/// assert!(!of(&[Cost::Moves, Cost::Waits]) && !of(&[Cost::Makespan]));
+/// ```
+pub fn caution(objective: &Objective) -> Option<&'static str> {
+    let place = |cost: Cost| objective.costs().iter().position(|&other| other == cost);
+    let waits = place(Cost::Waits)?;
+    let is_free = place(Cost::Moves).is_none_or(|moves| moves > waits);
+    is_free.then(|| {
+        tr!("Few waits reward driving: a robot that goes to and fro does not wait. Put moves before waits.")
+    })
 }
 
 #[cfg(test)]

@@ -48,7 +48,7 @@ impl State {
             Some(Task::Certify(_) | Task::Export(_)) => return Phase::Checking,
             Some(Task::Freedom(_) | Task::Delays(_)) => return Phase::Counting,
             Some(Task::Change(_)) => return Phase::Adapting,
-            Some(Task::Look(_) | Task::Price(..)) | None => {}
+            Some(Task::Look(_) | Task::Price(..) | Task::Sizing(_) | Task::Order(_)) | None => {}
         }
         self.resting_phase()
     }

@@ -64,10 +64,18 @@ impl Sheet {
         );
         let objective = words::objective(&scene.objective).join(tr!(" then "));
         let mut facts = vec![robots, size, objective];
+        facts.extend(scene.units.map(|units| {
+            tr!(
+                "a cell is {cell} m wide, a step takes {step} s",
+                cell = units.cell,
+                step = units.step
+            )
+        }));
         let answer = state.shown().filter(|_| !hides_plan);
         let answer = answer.filter(|answer| answer.plan().is_some());
         if answer.is_some() {
             let (time, last) = (state.view.playback.time, state.last_time());
+            let [time, last] = [time, last].map(|time| words::timed(scene.units, time));
             facts.push(tr!("the board shows time {time} of {last}", time, last));
         }
         Self {

@@ -1,17 +1,25 @@
 //! What is shown of a document, and what a person's hand is doing: nothing that
 //! anyone would miss.
 
+use std::rc::Rc;
+
 use giveway_model::Cell;
 
+use crate::area::{Area, Clip};
 use crate::draw::Drawing;
 use crate::find::Find;
 use crate::fleet::Fleet;
+use crate::floor_plan::FloorPlan;
 use crate::freedom::Overlay;
 use crate::gesture::Gesture;
+use crate::grow::Growing;
 use crate::ledger::LedgerView;
+use crate::order::OrderView;
 use crate::planners::By;
 use crate::present::Presenting;
+use crate::robots::RobotsView;
 use crate::rules::RulesView;
+use crate::sizing::SizingView;
 use crate::slot::Waiting;
 use crate::{Notice, Playback, Theme, Tool};
 
@@ -76,6 +84,39 @@ pub struct Sought {
     pub(crate) number: u32,
 }
 
+/// A part of the inspector that unfolds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fold {
+    /// What is edited of the scene as a whole.
+    Scene,
+    /// What is edited of a robot.
+    Robot,
+}
+
+/// Which parts of the inspector were unfolded (`true`) or folded; `None`: neither yet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Folds {
+    scene: Option<bool>,
+    robot: Option<bool>,
+}
+
+impl Folds {
+    /// Whether a part is unfolded; nothing where that was not said of this scene.
+    pub const fn of(&self, fold: Fold) -> Option<bool> {
+        match fold {
+            Fold::Scene => self.scene,
+            Fold::Robot => self.robot,
+        }
+    }
+
+    pub(crate) const fn set(&mut self, fold: Fold, is_open: bool) {
+        match fold {
+            Fold::Scene => self.scene = Some(is_open),
+            Fold::Robot => self.robot = Some(is_open),
+        }
+    }
+}
+
 /// Which lanes are shown while two plans are compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ComparedLanes {
@@ -105,6 +146,18 @@ pub struct View {
     pub drawing: Drawing,
     /// Robots that are to come onto the board at once.
     pub(crate) fleet: Option<Fleet>,
+    /// A picture of the floor, under the grid.
+    pub(crate) floor_plan: Option<Rc<FloorPlan>>,
+    /// The part of the floor that is selected.
+    pub(crate) area: Option<Area>,
+    /// The size of the floor, on its way.
+    pub(crate) growing: Option<Growing>,
+    /// The table of the robots.
+    pub(crate) robots: RobotsView,
+    /// How many robots the floor bears.
+    pub(crate) sizing: SizingView,
+    /// What was copied of a floor.
+    pub(crate) clip: Option<Rc<Clip>>,
     /// What the hand is doing on the board.
     pub(crate) gesture: Gesture,
     /// The cell of the keyboard on the board.
@@ -127,16 +180,20 @@ pub struct View {
     pub(crate) overlay: Overlay,
     /// How the ledger of delays is shown.
     pub(crate) ledger: LedgerView,
+    /// How the order of the plan is shown.
+    pub(crate) order: OrderView,
     /// Which lanes are shown while two plans are compared.
     pub lanes: ComparedLanes,
+    /// Which parts of the inspector are unfolded.
+    pub folds: Folds,
     /// Whether the plan table is open.
     pub table: bool,
     /// Light or dark.
     pub theme: Theme,
     /// What a phone shows below the board.
     pub tab: Tab,
-    /// Whether there is room for two boards side by side: else the other plan of
-    /// an answer takes the place of this one.
+    /// Whether there is room for two boards, side by side or as pages of a phone: else the other
+    /// plan of an answer takes the place of this one.
     pub is_wide: bool,
     /// What a person must be told once.
     pub notice: Option<Notice>,
@@ -155,6 +212,12 @@ impl Default for View {
             tool: Tool::Select,
             drawing: Drawing::default(),
             fleet: None,
+            floor_plan: None,
+            area: None,
+            clip: None,
+            robots: RobotsView::default(),
+            sizing: SizingView::default(),
+            growing: None,
             gesture: Gesture::None,
             cursor: Cell::new(0, 0),
             layers: Layers::default(),
@@ -166,7 +229,9 @@ impl Default for View {
             rules: RulesView::default(),
             overlay: Overlay::default(),
             ledger: LedgerView::default(),
+            order: OrderView::default(),
             lanes: ComparedLanes::default(),
+            folds: Folds::default(),
             table: true,
             theme: Theme::System,
             tab: Tab::Timeline,

@@ -10,7 +10,9 @@ use giveway_solve::change::ChangeRequest;
 use giveway_solve::delays::DelaysRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::freedom::FreedomRequest;
+use giveway_solve::order::OrderRequest;
 use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::sizing::SizingRequest;
 use giveway_solve::trace::SearchTrace;
 use giveway_solve::{CertifyRequest, Request, SolveRequest, price::PriceRequest};
 
@@ -57,6 +59,10 @@ pub enum Task {
     Price(Rc<Draft>, Rc<PriceRequest>),
     /// Who costs whom is added up; what is known stands in the document.
     Delays(Rc<DelaysRequest>),
+    /// The order of the plan is made; what is known stands in the document.
+    Order(Rc<OrderRequest>),
+    /// More and more robots are solved; what is known stands beside the document.
+    Sizing(Rc<SizingRequest>),
 }
 
 /// A scene on its way to an answer, and what is known so far.
@@ -241,6 +247,8 @@ impl Task {
             Self::Freedom(request) => Request::Freedom((**request).clone()),
             Self::Price(_, request) => Request::Price((**request).clone()),
             Self::Delays(request) => Request::Delays((**request).clone()),
+            Self::Order(request) => Request::Order((**request).clone()),
+            Self::Sizing(request) => Request::Sizing((**request).clone()),
         }
     }
 }

@@ -5,9 +5,11 @@
 pub enum Detail {
     /// Agents are dots.
     Dots,
-    /// Agents are forms, without names, rings or headings.
+    /// Agents are forms, without rings or headings; a number has room beside them only.
     Forms,
-    /// All but labels and the axis.
+    /// Agents are forms with a number in them.
+    Numbers,
+    /// Agents are forms with their names.
     Plain,
     /// All.
     All,
@@ -20,21 +22,24 @@ impl Detail {
     /// use giveway_picture::Detail;
     /// assert_eq!(Detail::of(48.0), Detail::All);
     /// assert_eq!(Detail::of(47.9), Detail::Plain);
+    /// assert_eq!([27.9, 17.9, 11.9].map(Detail::of), [Detail::Numbers, Detail::Forms, Detail::Dots]);
     /// ```
     pub fn of(cell_px: f64) -> Self {
         match cell_px {
             48.0.. => Self::All,
             28.0.. => Self::Plain,
-            14.0.. => Self::Forms,
+            18.0.. => Self::Numbers,
+            12.0.. => Self::Forms,
             _ => Self::Dots,
         }
     }
 
-    /// Its class in the style sheets.
+    /// Its classes in the style sheets.
     pub const fn class(self) -> &'static str {
         match self {
             Self::Dots => "d-dots",
             Self::Forms => "d-forms",
+            Self::Numbers => "d-forms d-numbers",
             Self::Plain => "d-plain",
             Self::All => "d-all",
         }

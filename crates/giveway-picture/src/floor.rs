@@ -6,11 +6,18 @@ use giveway_model::{Agent, Cell, Grid};
 
 use crate::{CELL, Detail};
 
+/// The smallest side of a cell that lines part from the next, in pixels.
+const LINES_PX: f64 = 8.5;
+
 /// How the floor is drawn, by the size of a cell on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FloorLook {
     /// Whether cells are large enough for more than their colour.
     pub is_fine: bool,
+    /// Whether lines part all cells.
+    pub has_lines: bool,
+    /// Whether every fifth of the lines is darker: cells are small, and counted in fives.
+    pub has_fifths: bool,
     /// How far shapes that are cut reach into the next tile, in units: at least a
     /// pixel, and less than two.
     pub overlap: u8,
@@ -24,13 +31,10 @@ impl FloorLook {
         let overlaps = [1, 2, 4, 8, 16, 32, 64];
         Self {
             is_fine: Detail::of(cell_px) > Detail::Dots,
+            has_lines: cell_px >= LINES_PX,
+            has_fifths: Detail::of(cell_px) < Detail::All,
             overlap: overlaps.into_iter().find(reaches).unwrap_or(100),
         }
-    }
-
-    /// Whether lines part the cells.
-    pub const fn has_lines(self) -> bool {
-        self.is_fine
     }
 }
 
@@ -89,10 +93,11 @@ pub fn starred(grid: &Grid, agents: &[Agent]) -> BTreeSet<Cell> {
     on_charger.copied().collect()
 }
 
-/// The `d` of the lines between cells.
-pub fn lines(width: u32, height: u32) -> String {
-    let (right, bottom) = (100 * width, 100 * height);
-    let across = (1..width).map(|x| format!("M{} 0V{bottom}", 100 * x));
-    let down = (1..height).map(|y| format!("M0 {}H{right}", 100 * y));
+/// The `d` of the lines between cells, one every so many cells.
+pub fn lines(width: u32, height: u32, every: u32) -> String {
+    let (right, bottom, every) = (100 * width, 100 * height, every.max(1));
+    let places = |side: u32| (every..side).step_by(every as usize);
+    let across = places(width).map(|x| format!("M{} 0V{bottom}", 100 * x));
+    let down = places(height).map(|y| format!("M0 {}H{right}", 100 * y));
     across.chain(down).collect()
 }

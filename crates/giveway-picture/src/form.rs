@@ -140,7 +140,49 @@ pub fn short_name(name: &str) -> String {
 /// assert_eq!(badges(&["\u{8f66}1", "1"], |c| c.is_ascii()), ["3", "1"]);
 /// ```
 pub fn badges(names: &[&str], is_drawn: impl Fn(char) -> bool) -> Vec<String> {
-    let mut badges: Vec<String> = names.iter().map(|name| short_name(name)).collect();
+    unique(
+        names.iter().map(|name| short_name(name)).collect(),
+        is_drawn,
+    )
+}
+
+/// What stands on small forms: names without the letters that all of them begin with, or their
+/// first two characters where they share none. No two agents have the same.
+///
+/// ```
+/// use giveway_picture::form::numbers;
+/// assert_eq!(numbers(&["A1", "A14", "A120"]), ["1", "14", "120"]);
+/// assert_eq!(numbers(&["A10", "A11"]), ["10", "11"]);
+/// assert_eq!(numbers(&["Anna", "Bertha"]), ["An", "Be"]);
+/// assert_eq!(numbers(&["carrier", "carton", "cat"]), ["1", "2", "cat"]);
+/// ```
+pub fn numbers(names: &[&str]) -> Vec<String> {
+    const ROOM: usize = 3;
+    let first = names.first().copied().unwrap_or_default();
+    let is_shared = |end: usize| names.iter().all(|name| name.get(..end) == first.get(..end));
+    let ends = first
+        .char_indices()
+        .map(|(at, letter)| at + letter.len_utf8());
+    let shared = ends.take_while(|&end| is_shared(end)).last().unwrap_or(0);
+    // The digits that all numbers begin with are part of them.
+    let shared = first.get(..shared).unwrap_or_default();
+    let shared = shared.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    let rest = |name: &&str| name.get(shared..).unwrap_or_default().to_owned();
+    let rests: Vec<String> = names.iter().map(rest).collect();
+    let fits = |rest: &String| (1..=ROOM).contains(&rest.chars().count());
+    if shared > 0 && rests.iter().all(fits) {
+        return unique(rests, |_| true);
+    }
+    let short = |name: &&str| match name.chars().count() {
+        ..=ROOM => (*name).to_owned(),
+        _ => name.chars().take(2).collect(),
+    };
+    unique(names.iter().map(short).collect(), |_| true)
+}
+
+/// Short names of agents: each where it can be drawn and no other agent has it too, else the
+/// agent's number, from 1.
+fn unique(mut badges: Vec<String>, is_drawn: impl Fn(char) -> bool) -> Vec<String> {
     let number = |agent: usize| short_name(&(agent + 1).to_string());
     let mut sorted = badges.clone();
     giveway_model::sorting::sort(&mut sorted);
@@ -163,7 +205,7 @@ pub fn badges(names: &[&str], is_drawn: impl Fn(char) -> bool) -> Vec<String> {
     let kept = all.filter_map(|(badge, &is_numbered)| (!is_numbered).then_some(badge));
     let kept = giveway_model::sorting::set(kept.cloned());
     // A number that is the name of another agent is left to that one.
-    let mut further = names.len();
+    let mut further = badges.len();
     for (agent, badge) in badges.iter_mut().enumerate() {
         if numbered.get(agent) != Some(&true) {
             continue;

@@ -28,6 +28,7 @@ mod moving;
 mod occupied;
 mod outline;
 mod point;
+pub mod report;
 mod rules;
 mod still;
 mod tile;
@@ -48,12 +49,12 @@ pub use occupied::Occupied;
 pub use outline::{Area, Pen, Region};
 pub use point::{Point, position};
 pub use rules::{
-    LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, TagShape, ZoneShape, in_force,
-    rule_shapes, zone_of,
+    KeptShape, LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, Stay, TagShape,
+    ZoneShape, first_stay, in_force, kept, rule_shapes, stays, zone_of,
 };
 pub use still::{on_paper, still};
 pub use tile::Tile;
-pub use track::{Badge, Charge, Pose, Track};
+pub use track::{Badge, Charge, Pose, Track, TurnSide};
 pub use way::{Way, WayEnds};
 
 /// The side of a cell, in units.

@@ -11,6 +11,9 @@ use crate::{CELL, Point, Track};
 
 /// From dot to dot, in units.
 const DOT: f64 = 15.5;
+/// Where cells are small, dots stand that often further apart: a multiple of all these distances,
+/// in units.
+const PHASE: f64 = 12.0 * DOT;
 /// From way to way, in units, where they lie side by side; and all together at
 /// most.
 const APART: (f64, f64) = (11.0, 40.0);
@@ -113,7 +116,7 @@ impl Way {
         WayEnds {
             behind,
             ahead,
-            ahead_offset: (still as f64 * CELL).rem_euclid(DOT),
+            ahead_offset: (still as f64 * CELL).rem_euclid(PHASE),
         }
     }
 

@@ -116,3 +116,32 @@ fn a_scene_without_rules_has_nothing_of_it() {
     let svg = moving(&instance, &plan, &look);
     assert!(!svg.contains("-shut") && !svg.contains(&Inks::of(Theme::Light).rule_line.to_string()));
 }
+
+#[test]
+fn a_stay_counts_down_while_it_is_made() {
+    let (_, _, look) = scene(Theme::Light, 64);
+    let rules = r#""constraints": [{ "kind": "visit", "cell": [2, 0], "stay": 2 },"#;
+    let scene = SCENE.replace(r#""constraints": ["#, rules);
+    let instance = native::read_instance(&scene).unwrap();
+    let plan = native::read_plan(PLAN).unwrap();
+    let look = Look {
+        letters: Letters::Text,
+        ..look
+    };
+    // At (2, 0) from 2 to 4.
+    let left = |time: f64| {
+        let svg = still(&instance, &plan, time, &look);
+        let is_clock = "M-12-8a8 8 0 1 0 .01 0M-12-4V0l3 2";
+        (count(&svg, "d", is_clock), texts(&svg))
+    };
+    for (time, word) in [(2.0, "2"), (3.0, "1")] {
+        let (clocks, texts) = left(time);
+        assert_eq!(clocks, 1, "at {time}");
+        let first = texts.iter().filter(|text| *text == word).count();
+        assert!(first > 0, "{word} at {time}: {texts:?}");
+    }
+    assert_eq!([left(1.0).0, left(4.0).0], [0, 0]);
+    // As it moves, each number is there once, seen at its time alone.
+    let svg = moving(&instance, &plan, &look);
+    assert_eq!(count(&svg, "d", "M-12-8a8 8 0 1 0 .01 0"), 2);
+}

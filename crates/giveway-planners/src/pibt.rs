@@ -20,6 +20,7 @@ pub(crate) use {
 };
 
 use crate::{
+    AgentId,
     budget::{Budget, Stop},
     plain::{Plain, Unsupported},
     problem::Problem,
@@ -32,7 +33,7 @@ use crate::{
 pub struct Options {
     /// Steps after which whoever is on its way is called stuck.
     pub step_limit: u32,
-    /// How many inheritances are told; 0 for none.
+    /// How many inheritances are told, and of how many steps the leader; 0 for none.
     pub told: usize,
 }
 
@@ -57,6 +58,8 @@ pub struct Report {
     pub steps: u32,
     /// The first inheritances, each with the time at which its step begins.
     pub inherited: Vec<(u32, Inheritance)>,
+    /// The agent of the highest priority in each step, of the first steps.
+    pub leaders: Vec<AgentId>,
 }
 
 /// The seed of the choices among equals.
@@ -76,6 +79,7 @@ pub fn pibt(
         outcome: Outcome::Stuck(0),
         steps: 0,
         inherited: Vec::new(),
+        leaders: Vec::new(),
     };
     report.outcome = run(&plain, options, budget, &mut report).unwrap_or_else(Outcome::Stopped);
     Ok(report)
@@ -110,6 +114,10 @@ fn run(
         let room = options.told - report.inherited.len();
         let inherited = step.inherited().iter().take(room);
         let time = report.steps;
+        if report.leaders.len() < options.told {
+            let first = priorities.order.first();
+            report.leaders.extend(first.map(|&agent| agent as AgentId));
+        }
         report.inherited.extend(inherited.map(|&told| (time, told)));
         report.steps += 1;
         priorities = priorities.after(&ranks, step.next(), plain.goals());

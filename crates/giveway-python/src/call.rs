@@ -76,6 +76,8 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
         "freedom" => Request::Freedom(read(text)?),
         "price" => Request::Price(read(text)?),
         "delays" => Request::Delays(read(text)?),
+        "order" => Request::Order(read(text)?),
+        "sizing" => Request::Sizing(read(text)?),
         "plan" => Request::Plan(read(text)?),
         "together" => Request::Together(read(text)?),
         "certify" => Request::Certify(read(text)?),
@@ -132,6 +134,8 @@ fn respond(response: Response) -> Result<String, Failure> {
         Response::Freedom(answer) => write(&answer),
         Response::Priced(answer) => write(&answer),
         Response::Delays(answer) => write(&answer),
+        Response::Order(answer) => write(&answer),
+        Response::Sized(answer) => write(&answer),
         Response::Planned(answer) => write(&answer),
         Response::Together(answer) => write(&answer),
         Response::Refused(refusal) => {

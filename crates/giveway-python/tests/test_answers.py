@@ -183,7 +183,8 @@ def test_records_have_the_keys_of_the_schema() -> None:
         "paretoResult": giveway.Front, "planResult": giveway.PlannerAnswer, "checkResult": giveway.Verdict,
         "witness": giveway.Violation, "explainResult": giveway.Explanation, "changeResult": giveway.ChangeAnswer,
         "freedomResult": giveway.Freedom, "priceResult": giveway.Prices, "rulePrice": giveway.RulePrice,
-        "delaysResult": giveway.Delays, "agentDelay": giveway.AgentDelay,
+        "delaysResult": giveway.Delays, "orderResult": giveway.Order, "agentDelay": giveway.AgentDelay,
+        "sizingResult": giveway.Sizing, "sizingPoint": giveway.SizingPoint,
     }
     from giveway._record import _fields
 

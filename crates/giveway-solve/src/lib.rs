@@ -22,6 +22,7 @@ mod host;
 mod impose;
 mod joint;
 mod judged;
+pub mod order;
 mod pareto;
 pub mod plan;
 pub mod price;
@@ -34,6 +35,7 @@ mod sat;
 mod search;
 pub mod service;
 mod shut_in;
+pub mod sizing;
 mod solve;
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,11 @@ use giveway_model::{Cost, Costs, Plan};
 use serde::Serialize;
 
 use crate::{
-    delays::DelaysAnswer, explain::ExplainAnswer, freedom::FreedomAnswer, price::PriceAnswer,
+    delays::DelaysAnswer,
+    explain::ExplainAnswer,
+    freedom::FreedomAnswer,
+    price::PriceAnswer,
+    sizing::{SizingFloor, SizingPoint},
     trace::TraceEvent,
 };
 
@@ -69,6 +73,15 @@ pub enum Progress {
     Delays {
         /// The answer without the proof of how many steps every plan loses.
         answer: Box<DelaysAnswer>,
+    },
+    /// The plan of one more number of robots is there.
+    Sized {
+        /// The floor that it is of.
+        floor: SizingFloor,
+        /// The plan, and what is known of it.
+        point: Box<SizingPoint>,
+        /// How many plans are still to come.
+        pending: u32,
     },
     /// A certificate is begun.
     Exporting {

@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 use crate::audit::AuditRequest;
 use crate::change::ChangeRequest;
 use crate::delays::DelaysRequest;
+use crate::order::OrderRequest;
+use crate::sizing::SizingRequest;
 use crate::together::TogetherRequest;
 use crate::{
     CertifyRequest, ExportRequest, explain::ExplainRequest, freedom::FreedomRequest,
@@ -41,6 +43,10 @@ pub enum Request {
     Price(PriceRequest),
     /// Who costs whom in a plan?
     Delays(DelaysRequest),
+    /// Who must begin to leave each cell before who begins to come?
+    Order(OrderRequest),
+    /// How many robots does a floor bear?
+    Sizing(SizingRequest),
 }
 
 /// A request that needs no more than search and judge.
@@ -69,6 +75,8 @@ impl Request {
             | Self::Together(_)
             | Self::Price(_)
             | Self::Delays(_)
+            | Self::Order(_)
+            | Self::Sizing(_)
             | Self::Freedom(_) => None,
         }
     }

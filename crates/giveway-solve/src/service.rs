@@ -19,9 +19,11 @@ use crate::{
     delays::{self, DelaysAnswer},
     explain::{ExplainAnswer, engine},
     freedom::{self, FreedomAnswer},
+    order::{self, OrderAnswer},
     pareto,
     plan::{self, PlanAnswer},
     price::{self, PriceAnswer},
+    sizing::{self, SizingAnswer},
     solve::{self, SolveTask},
     together::{self, TogetherAnswer},
 };
@@ -63,6 +65,10 @@ pub enum Response {
     Priced(Box<PriceAnswer>),
     /// To [`Request::Delays`].
     Delays(Box<DelaysAnswer>),
+    /// To [`Request::Order`].
+    Order(Box<OrderAnswer>),
+    /// To [`Request::Sizing`].
+    Sized(Box<SizingAnswer>),
     /// The request is wrong; nothing was done.
     Refused(Refusal),
 }
@@ -194,6 +200,14 @@ pub fn serve(request: &Request, host: &dyn Host) -> Response {
                 assumed::weaken_delays(&request.scene, &mut answer);
                 Response::Delays(Box::new(answer))
             }
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Order(request) => match order::serve(request, host) {
+            Ok(answer) => Response::Order(Box::new(answer)),
+            Err(refusal) => Response::Refused(refusal),
+        },
+        Request::Sizing(request) => match sizing::serve(request, host) {
+            Ok(answer) => Response::Sized(Box::new(answer)),
             Err(refusal) => Response::Refused(refusal),
         },
         Request::Change(request) => serve_change(request, host),

@@ -157,6 +157,7 @@ pub(crate) fn best(task: &SolveTask, problem: &Problem, bounded: &Bounded) -> Ve
     };
     let contact = Contact {
         start: start.as_deref(),
+        earlier: None,
         on_better: &on_better,
     };
     search::solve(problem, &task.objective, bounded, &contact, &task.budget)

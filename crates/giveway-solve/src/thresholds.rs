@@ -39,6 +39,9 @@ pub struct Thresholds {
     pub fewest_at_gate: usize,
     /// At most this many joint states count as few.
     pub few_joint_states: usize,
+    /// With more agents a question is answered from what is at hand, a plan near by and the proof
+    /// of the plan that is asked about, and its reason begins with a small set of agents.
+    pub few_agents: usize,
 }
 
 impl Default for Thresholds {
@@ -58,6 +61,7 @@ impl Default for Thresholds {
             patience_clauses: 300_000,
             fewest_at_gate: 4,
             few_joint_states: 200_000,
+            few_agents: 8,
         }
     }
 }

@@ -181,6 +181,22 @@ pub fn claim_under(answer: &SolveAnswer, assumptions: &[Assumption]) -> String {
     }
 }
 
+/// That no plan is better, among those of a makespan where it is given.
+pub fn proved(within: Option<u32>) -> String {
+    match within {
+        None => tr!("Proved: no plan is better.").to_owned(),
+        Some(n) => tr!("Proved: no plan of makespan at most {n} is better.", n),
+    }
+}
+
+/// What a report of the plan says of it, and whether it is proved that none is better.
+pub fn on_paper(answer: &SolveAnswer) -> (String, bool) {
+    match answer.status {
+        Status::Optimal => (proved(answer.reach.within()), true),
+        Status::Feasible | Status::Impossible | Status::Unknown => (claim(answer), false),
+    }
+}
+
 /// The claim of an answer in a sentence of its own.
 pub fn claim(answer: &SolveAnswer) -> String {
     let within = answer.reach.within();
@@ -270,7 +286,23 @@ pub fn known(objective: &Objective, bounds: &BTreeMap<Cost, u32>, best: Option<&
     let parts = objective.costs().iter().filter_map(|&cost| {
         let at_least = *bounds.get(&cost)?;
         let name = name(cost);
-        Some(match best.map(|costs| costs.get(cost)) {
+        let best = best.map(|costs| costs.get(cost));
+        // Charges, moves and waits are counted: their number stands before their name.
+        if matches!(cost, Cost::Charges | Cost::Moves | Cost::Waits) {
+            let least = value(cost, at_least);
+            return Some(match best {
+                Some(best) if best == at_least => least,
+                Some(best) if best > at_least => {
+                    tr!(
+                        "at least {least}, the best plan so far has {best}",
+                        least,
+                        best
+                    )
+                }
+                _ => tr!("at least {least}", least),
+            });
+        }
+        Some(match best {
             Some(best) if best == at_least => tr!("{cost} is {best}", cost = name, best),
             Some(best) if best > at_least => {
                 tr!(

@@ -23,10 +23,17 @@ function words(event: Progress): string {
     case "freedom": return `${event.answer.plans?.count ?? 0} best plans so far`;
     case "priced": return event.answer.words;
     case "delays": return event.answer.words;
+    case "sized": return `${event.point.robots} robots: ${event.point.status}`;
     case "traced": return event.events.map((step) => step.text).join(" ");
     case "certifying": return event.claim;
     case "exporting": return `${event.done} of ${event.of} certificates`;
   }
+}
+
+/** The VDA 5050 orders of a plan, as a text. */
+export async function orders(giveway: Giveway): Promise<string | undefined> {
+  const { files, order } = await giveway.order({ scene, to: ["vda5050"], late: [{ agent: "a", cell: [1, 0], steps: 2 }] });
+  return order ? files?.[0]?.text : undefined;
 }
 
 export async function whyNotSooner(signal: AbortSignal): Promise<ExplainAnswer | GivewayError> {

@@ -13,7 +13,7 @@ export class Giveway {
   constructor(start = startWorker) {
     this.#start = start;
     for (const call of [
-      "solve", "check", "explain", "change", "audit", "freedom", "price", "delays", "plan", "together", "compare", "certify",
+      "solve", "check", "explain", "change", "audit", "freedom", "price", "delays", "order", "sizing", "plan", "together", "compare", "certify",
       "exportCertificates", "verify", "convert",
     ]) {
       this[call] = (request, waiting) => this.#ask(call, request ?? null, waiting);

@@ -63,6 +63,8 @@ export interface Scene {
   zones?: Zone[] | null;
   /** Rules of its own, which every plan must keep. */
   constraints?: Constraint[] | null;
+  /** The side of a cell in metres, and the length of a time step in seconds; no claim is about them. */
+  units?: { cell: number; step: number } | null;
 }
 
 /** Something that a scene takes for granted: whatever is said of it is said under that. */
@@ -142,6 +144,8 @@ export type Progress =
   | { event: "priced"; answer: PriceAnswer }
   /** The ledger of a plan; the proof is to come. */
   | { event: "delays"; answer: DelaysAnswer }
+  /** The plan of one more number of robots; `pending` counts those that are to come. */
+  | { event: "sized"; floor: "this" | "beside"; point: SizingPoint; pending: number }
   | { event: "certifying"; claim: string; checking: boolean }
   /** So many certificates are made. */
   | { event: "exporting"; done: number; of: number };
@@ -457,10 +461,19 @@ export interface FactGroup {
   /** Whether leaving out one of its facts alone helps; null where it is not known. */
   helps: boolean | null;
   /** The least costs of the whole scene without one of its facts, as far as was tried. */
-  price?: { fact: number; costs: Costs; proved: boolean };
+  price?: FactPrice;
 }
 
-/** What some robots alone need, proved: no plan of all costs less. */
+/** The costs of the whole scene without one fact, with what the question asks for. */
+export interface FactPrice {
+  /** The fact, by its place in the set, from 0. */
+  fact: number;
+  costs: Costs;
+  /** Whether it is proved that no plan costs less. */
+  proved: boolean;
+}
+
+/** What some robots alone need, proved: no plan of all costs less. After a change of the whole plan, with what was paid before. */
 export interface SubsetBound {
   agents: string[];
   cost: Cost;
@@ -476,6 +489,8 @@ export interface Core {
   facts: Fact[];
   /** The facts in groups, the deciding one first, where there are more than three: seven at most. */
   groups?: FactGroup[];
+  /** What the whole scene costs without one of the facts, as far as was tried. */
+  prices?: FactPrice[];
   /** Each is needed in the set: with only the others of the set there is a plan. */
   minimal: boolean;
   complete: boolean;
@@ -859,7 +874,23 @@ export interface PriceRequest {
   within?: number;
   /** A plan that is known already: the search begins with it. */
   start?: Plan;
+  /** The price of this rule alone, by its number from 0, and the least looser form that helps. */
+  loosen?: number;
   limits?: Limits;
+}
+
+/** The least looser form of a rule that changes the costs, or with which there is a plan. */
+export interface LooserRule {
+  /** The rule as it would be. */
+  rule: Constraint;
+  /** The costs of the best plan under it. */
+  costs: Partial<Record<Cost, number>>;
+  /** With the rule as it is minus these; left out where there is no plan with it. */
+  difference?: Partial<Record<Cost, number>>;
+  /** No plan under it is better. */
+  exact: boolean;
+  /** Every tighter form is proved to change nothing. */
+  least: boolean;
 }
 
 /** A rule of the scene's own, with its price. */
@@ -899,7 +930,179 @@ export interface PriceAnswer {
   /** All sets of the fewest rules whose switching off leaves a plan. */
   switch_off: number[][];
   switch_off_settled: boolean;
+  /** How the rule can be loosened that the request names. */
+  loosened?: {
+    index: number;
+    /** It has a number or times to loosen. */
+    can_loosen: boolean;
+    looser: LooserRule[];
+    /** Every other way is proved to change nothing. */
+    settled: boolean;
+  };
   /** How many prices are still to come. */
+  pending: number;
+  /** All of it in sentences. */
+  words: string;
+  stats: Stats;
+}
+
+/** A robot comes so many steps late to a cell. */
+export interface Lateness {
+  agent: string;
+  cell: Cell;
+  /** Which of its visits of the cell, from 1; 1 by default. */
+  visit?: number;
+  steps: number;
+}
+
+export type OrderFormat = "dot" | "csv" | "waypoints" | "vda5050";
+
+export interface OrderRequest {
+  scene: Scene;
+  /** Without one, the scene is solved first. With changes it has to be there. */
+  plan?: Plan;
+  /** What changes while the plan runs. */
+  changes?: Changes;
+  /** Who comes late, and where. */
+  late?: Lateness[];
+  /** Other formats in which the order is written, too. */
+  to?: OrderFormat[];
+  /** Of the search for a plan, where it is not the scene's own. */
+  objective?: Cost[];
+  /** The horizon of that search. */
+  within?: number;
+  limits?: Limits;
+}
+
+/** A stay of a robot at a cell, without lateness. */
+export interface OrderVisit {
+  cell: Cell;
+  /** When it begins its move into the cell; `null` where its way begins. */
+  comes: number | null;
+  arrives: number;
+  /** When it begins to leave; `null` where it stays for good. */
+  leaves: number | null;
+  /** The least steps that it stands there, to turn. */
+  stands?: number;
+  charges?: boolean;
+}
+
+/** A visit, by its number from 0, as an end of a link: when its robot begins to leave, or to come. */
+export interface OrderLinkEnd {
+  agent: string;
+  visit: number;
+  time: number;
+}
+
+/** `second` begins its move into the cell no earlier than `gap` steps after `first` begins to leave it. */
+export interface OrderLink {
+  cell: Cell;
+  first: OrderLinkEnd;
+  second: OrderLinkEnd;
+  gap: number;
+  /** How many steps later the first may leave before the second has to wait. */
+  slack: number;
+}
+
+/** A move into the cell of a visit. */
+export interface OrderMove {
+  agent: string;
+  visit: number;
+  cell: Cell;
+}
+
+export interface Order {
+  agents: { agent: string; heading?: "north" | "east" | "south" | "west"; visits: OrderVisit[]; end: "stays" | "vanishes" | "removed" }[];
+  /** By cell, row by row, then by time. */
+  links: OrderLink[];
+  /** Moves in a circle, which begin in one step. */
+  rotations: { time: number; moves: OrderMove[] }[];
+  /** Moves that begin later than in the plan, since the order alone has to be safe. */
+  later: { agent: string; cell: Cell; planned: number; begins: number }[];
+}
+
+/** Something that robots may break though they keep to the order. */
+export type OrderLoss =
+  | { loss: "rule"; index: number; kind: Constraint["kind"]; text: string }
+  | { loss: "battery"; agent: string; spare: number }
+  | { loss: "changes"; last: number }
+  | { loss: "moving-obstacles" };
+
+/** What follows if some robots come late and all keep to the order. */
+export interface LateOutcome {
+  late: Lateness[];
+  /** `most`: by how much it is late at most, at any of its cells. */
+  arrivals: { agent: string; planned: number; now: number | null; most: number }[];
+  /** Visits that are later than without lateness. */
+  visits: { agent: string; visit: number; cell: Cell; planned: number; now: number }[];
+  /** The plan as it is carried out. */
+  plan: Plan;
+  /** What that plan breaks. */
+  violations: Violation[];
+  /** Changes that contradict the world as that plan has it. */
+  refused: string[];
+}
+
+/** In which order robots pass each cell. */
+export interface OrderAnswer {
+  giveway: 1;
+  costs: Costs | null;
+  order: Order | null;
+  /** How many links have no slack. */
+  without_slack: number;
+  /** Moves that would wait for each other, where no order alone keeps the plan safe. */
+  none?: { moves: OrderMove[] };
+  losses: OrderLoss[];
+  late?: LateOutcome;
+  files?: { format: OrderFormat; text: string }[];
+  /** The plan that was found, where none was handed in. */
+  plan?: Plan;
+  /** Why there is no plan. */
+  reason?: string;
+  /** All of it in sentences. */
+  words: string;
+  stats: Stats;
+}
+
+export interface SizingRequest {
+  /** The floor with all robots, in the order in which they are added. */
+  scene: Scene;
+  /** Another floor for the same numbers of robots, to be compared. */
+  beside?: Scene;
+  /** Ascending numbers of robots: the first of the scene, so many of them. */
+  counts: number[];
+  /** Where it is not the scene's own. */
+  objective?: Cost[];
+  /** Only plans of at most this makespan. */
+  within?: number;
+  /** Of each solve by itself. */
+  limits?: Limits;
+}
+
+/** The best plan of so many robots. */
+export interface SizingPoint {
+  robots: number;
+  status: Status;
+  costs: Costs | null;
+  bounds: Partial<Record<Cost, number>>;
+  complete: boolean;
+  within: number | null;
+  /** Why there is no plan or no proof. */
+  reason?: string;
+  /** The sum of costs if each robot arrived as early as alone. */
+  alone: number | null;
+  /** The robot that needs the most steps alone. */
+  slowest: { agent: string; steps: number } | null;
+  plan: Plan | null;
+}
+
+/** How many robots a floor bears. */
+export interface SizingAnswer {
+  giveway: 1;
+  objective: Cost[];
+  points: SizingPoint[];
+  beside?: SizingPoint[];
+  /** How many plans were not begun. */
   pending: number;
   /** All of it in sentences. */
   words: string;
@@ -1068,10 +1271,21 @@ export type PlanTrace = { giveway: 1 } & (
     }[];
   }
   | { planner: "cbs"; nodes: TreeNode[]; left_out: number }
-  | { planner: "pibt"; inherited: Inherited[] }
+  /** `leaders`: the robot of the highest priority in each step. */
+  | { planner: "pibt"; inherited: Inherited[]; leaders?: string[] }
   | {
     planner: "lacam";
-    events: { from: number; constraints: Cell[]; inherited: Inherited[]; made: number | null; known: boolean }[];
+    events: {
+      from: number;
+      /** The robots that had to go somewhere, and where. */
+      constrained?: string[];
+      constraints: Cell[];
+      inherited: Inherited[];
+      made: number | null;
+      known: boolean;
+      /** Where the robots are in a configuration that is new. */
+      cells?: Cell[];
+    }[];
   }
   | { planner: "lns"; improvements: { changed: string[]; before: number[]; after: number[] }[] }
 );
@@ -1265,6 +1479,11 @@ export function price(request: PriceRequest, options?: Options): PriceAnswer;
 
 /** Tells who costs whom in a plan: each delay, split by whom the robot lets pass. */
 export function delays(request: DelaysRequest, options?: Options): DelaysAnswer;
+/** Tells how many robots a floor bears. */
+export function sizing(request: SizingRequest, options?: Options): SizingAnswer;
+
+/** Tells in which order robots pass each cell, and who is pushed if some are late; writes way-points, DOT and VDA 5050. */
+export function order(request: OrderRequest, options?: Options): OrderAnswer;
 
 /** Finds a plan with a planner of the textbook. */
 export function plan(request: PlanRequest, options?: Options): PlanAnswer;

@@ -1,8 +1,8 @@
 import type {
   AuditAnswer, AuditRequest, CertifyRequest, ChangeAnswer, ChangeRequest, CheckAnswer, CheckRequest, CompareRequest,
   Comparison, ConvertAnswer, ConvertRequest, DelaysAnswer, DelaysRequest, ExplainAnswer, ExplainRequest, Exported, Files, FreedomAnswer,
-  FreedomRequest, FrontAnswer,
-  PlanAnswer, PlanRequest, PriceAnswer, PriceRequest, Progress, ReadOptions, Report, Schema, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
+  FreedomRequest, FrontAnswer, OrderAnswer, OrderRequest,
+  PlanAnswer, PlanRequest, PriceAnswer, PriceRequest, Progress, ReadOptions, Report, Schema, SizingAnswer, SizingRequest, SolveAnswer, SolveRequest, TogetherAnswer, TogetherRequest,
   VerifyRequest,
 } from "./types.js";
 
@@ -28,6 +28,8 @@ export class Giveway {
   freedom(request: FreedomRequest, waiting?: Waiting): Promise<FreedomAnswer>;
   price(request: PriceRequest, waiting?: Waiting): Promise<PriceAnswer>;
   delays(request: DelaysRequest, waiting?: Waiting): Promise<DelaysAnswer>;
+  order(request: OrderRequest, waiting?: Waiting): Promise<OrderAnswer>;
+  sizing(request: SizingRequest, waiting?: Waiting): Promise<SizingAnswer>;
   plan(request: PlanRequest, waiting?: Waiting): Promise<PlanAnswer>;
   together(request: TogetherRequest, waiting?: Waiting): Promise<TogetherAnswer>;
   compare(request: CompareRequest, waiting?: Waiting): Promise<Comparison>;

@@ -23,6 +23,8 @@ pub(crate) fn within_budget(mut request: Request) -> Request {
         Request::Freedom(freedom) => &mut freedom.limits,
         Request::Price(price) => &mut price.limits,
         Request::Delays(delays) => &mut delays.limits,
+        Request::Order(order) => &mut order.limits,
+        Request::Sizing(sizing) => &mut sizing.limits,
         Request::Check(_) => return request,
     };
     limits.memory_bytes.get_or_insert(MEMORY_BYTES);

@@ -17,7 +17,7 @@ pub use budget::MEMORY_BYTES;
 #[cfg(feature = "javascript")]
 pub use javascript::{
     audit, certify, change, check, compare_plans, convert, delays, explain, export_certificates,
-    freedom, plan, price, read_files, read_moving_ai, read_plan, read_scene, schema, solve,
-    together, verify,
+    freedom, order, plan, price, read_files, read_moving_ai, read_plan, read_scene, schema, sizing,
+    solve, together, verify,
 };
 pub use worker::{serve_basic_messages, serve_messages};

@@ -28,6 +28,7 @@ mod run;
 mod table;
 
 use std::error::Error;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -67,6 +68,9 @@ struct Args {
     /// written
     #[arg(long, value_name = "FLOORS", num_args = 0..=1, default_missing_value = "20")]
     floor: Option<u64>,
+    /// With --floor: the scenes of this folder, by name, instead of random floors
+    #[arg(long, value_name = "FOLDER")]
+    scenes: Option<PathBuf>,
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
@@ -116,7 +120,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         return Ok(ExitCode::SUCCESS);
     }
     if let Some(floors) = args.floor {
-        let table = floor::table(floors, f64::from(args.time_limit))?;
+        let scenes = args.scenes.as_deref();
+        let table = floor::table((floors, scenes), f64::from(args.time_limit))?;
         println!("{table}");
         document::put(&document::FLOOR, &table)?;
         eprintln!("written to docs/benchmarks.md");

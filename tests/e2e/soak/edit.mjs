@@ -72,7 +72,23 @@ async function editsScene(sitting) {
     await playground.inspector.getByRole("button", { name: what, exact: true }).click();
   } else {
     await type(sitting, what, what === "Name" ? `scene ${dice.roll(1000)}` : 2 + dice.roll(9));
+    await resizes(sitting);
   }
+}
+
+/** Where a smaller floor would lose something, the page asks what becomes of it. */
+async function resizes({ dice, playground }) {
+  const { inspector } = playground;
+  const make = inspector.getByRole("button", { name: /^Make it \d/ });
+  if (!await make.isVisible()) {
+    return;
+  }
+  const ways = inspector.getByRole("radio");
+  const count = await ways.count();
+  if (count > 0) {
+    await ways.nth(dice.roll(count)).check();
+  }
+  await pressIf(dice.oneIn(4) ? inspector.getByRole("button", { name: "Cancel", exact: true }) : make);
 }
 
 /** The objective, a rule, or a limit, in the settings. */

@@ -56,7 +56,7 @@ async function changesSomething(sitting) {
     }
     const robot = playground.inspector.getByRole("region", { name: "Change this robot" });
     if (await robot.count() > 0) {
-      await (what === "delay" ? type(sitting, "Delay, steps", 1 + dice.roll(4)) : robot.getByRole("button", { name: /^Remove (?!waypoint)/ }).click());
+      await (what === "delay" ? breaksDown(sitting) : robot.getByRole("button", { name: /^Remove (?!waypoint)/ }).click());
     }
     return;
   }
@@ -65,6 +65,24 @@ async function changesSomething(sitting) {
   const to = what === "Robot" ? await cellOf(sitting, (words) => words === "free") : from;
   if (from && to) {
     await draw(sitting, from, to);
+  }
+}
+
+/** The robot that is selected breaks down for some steps, or for good. */
+async function breaksDown(sitting) {
+  const { dice, page, playground } = sitting;
+  await pressIf(playground.inspector.getByRole("button", { name: /^Breaks down here/ }));
+  const card = page.getByRole("group", { name: "Breaks down here" });
+  if (await card.count() === 0) {
+    // Two breakdowns of a robot at once are refused.
+    return;
+  }
+  await pressIf(card.getByRole("button", { name: /^How long: / }));
+  const delay = card.getByLabel("Delay, steps", { exact: true });
+  if (dice.oneIn(3)) {
+    await pressIf(card.getByRole("button", { name: /^for good$/i }));
+  } else if (await delay.count() > 0) {
+    await type(sitting, "Delay, steps", 1 + dice.roll(4));
   }
 }
 

@@ -82,6 +82,10 @@ async function asks(sitting) {
   const question = questions.nth(dice.roll(offered));
   sitting.note((await question.innerText()).split("\n")[0]);
   await question.click();
+  // "Why not a plan in which ...?" takes a sentence first.
+  if (await inspector.getByRole("button", { name: "Make it a rule" }).isVisible()) {
+    await pressIf(inspector.getByRole("button", { name: dice.pick(["Ask", "Ask", "Make it a rule", "Cancel"]), exact: true }));
+  }
   const next = dice.pick(["wait", "wait", "take", "take", "repair", "prove", "Escape", "Cancel", "Back", "Undo"]);
   sitting.note(`and ${next}`);
   if (["Escape", "Cancel", "Back", "Undo"].includes(next)) {

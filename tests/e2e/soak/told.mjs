@@ -34,7 +34,8 @@ export function look(page) {
       inspector: folds.reduce((words, fold) => words.replace(` ${fold}`, ""), text(inspector)),
       notice: text([...document.querySelectorAll(".notices")].at(-1)),
       slot: text(document.querySelector("main section[aria-label] h2")?.closest("main section[aria-label]")),
-      works: has("Cancel"),
+      // What is being made has a Cancel of its own, and stays until a person says what becomes of it.
+      works: buttons.some((button) => text(button) === "Cancel" && button.checkVisibility() && !button.closest(".making")),
       plays: has("Pause"),
       broke: document.querySelector("[role=alertdialog]") !== null,
     };

@@ -22,11 +22,12 @@ pub use update::updated;
 
 /// Where people find sentences of the page; the rest is for programs or not said in other
 /// languages yet.
-pub const FOLDERS: [&str; 8] = [
+pub const FOLDERS: [&str; 9] = [
     "web/src",
     "crates/giveway-page/src",
     "crates/giveway-solve/src",
     "crates/giveway-planners/src",
+    "crates/giveway-order/src",
     "crates/giveway-picture/src",
     "crates/giveway-formats/src",
     "crates/giveway-model/src",

@@ -5,14 +5,17 @@ use giveway_model::words::Later;
 use std::rc::Rc;
 
 use giveway_page::board::{Camera, Cast, Window};
+use giveway_page::grow::Room;
 use giveway_page::inside::Overlay;
+use giveway_page::{Answer, words};
 use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
 use super::cells::Cells;
-use super::layers::{Place, layers, square};
+use super::layers::{Place, layers, picked, square};
+use super::pointer::Pointer;
 use super::viewport::{use_sight, use_viewport};
-use super::{cells, view_box};
+use super::{LETTERS_PX, cells, view_box};
 use crate::Shown;
 use crate::board::cells::CellsProps;
 use crate::part::part;
@@ -50,9 +53,11 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     let area = use_node_ref();
     let world = Place::Beside.world(state);
     let board = (world.grid().width(), world.grid().height());
-    let viewport = use_viewport(&area, board, Camera::default());
+    let viewport = use_viewport(&area, Room::of(board), Camera::default());
     let frame = viewport.frame_of(camera, board);
     let sight = use_sight(frame);
+    let pointer = use_memo((), |()| Pointer::default());
+    let is_picked = picked(state, frame.detail(), &Overlay::default()).is_some();
     let cursor = state.view.cursor;
     let onkeydown = {
         let onkeydown = onkeydown.clone();
@@ -65,15 +70,32 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
     };
     html! {
         <div class="bd" ref={area}>
-            <svg class={classes!("map", frame.detail().class(), (!camera.is_fit()).then_some("near"))}
+            <svg class={classes!("map", frame.detail().class(), (!camera.is_fit()).then_some("near"), is_picked.then_some("picked"))}
+                font-size={format!("{:.1}", frame.units(LETTERS_PX))}
                 role="grid" aria-label={name.text()} tabindex="0"
                 aria-rowcount={board.1.to_string()} aria-colcount={board.0.to_string()}
                 aria-activedescendant={cells::id(name.english(), cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
-                { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default()) }
+                { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default(), &pointer) }
                 { part::<Cells>(CellsProps { of: name.english(), draft: Rc::clone(world), cast: Rc::clone(cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: Vec::new() }) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>
         </div>
+    }
+}
+
+/// What stands above one of two plans: which it is, what is claimed of it, and
+/// its costs.
+pub(super) fn caption(
+    title: &str,
+    answer: Option<&Rc<Answer>>,
+    claim: Option<&'static str>,
+) -> Html {
+    let costs = answer.and_then(|answer| {
+        let objective = &answer.draft.scene().objective;
+        Some(words::values(objective, &answer.solved.costs?))
+    });
+    html! {
+        <figcaption><b>{ title.to_owned() }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
     }
 }

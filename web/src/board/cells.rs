@@ -4,9 +4,11 @@
 use std::rc::Rc;
 
 use giveway_model::Cell;
-use giveway_page::board::{Cast, CellNames, Window};
+use giveway_page::board::{Cast, CellNames, Frame, Window};
 use giveway_page::{Draft, Selection};
 use yew::prelude::*;
+
+use crate::held::use_held;
 
 /// The id of a cell's element on the board of a name.
 pub(super) fn id(of: &str, cell: Cell) -> String {
@@ -38,6 +40,21 @@ impl PartialEq for CellsProps {
             && self.selection == other.selection
             && self.notes == other.notes
     }
+}
+
+/// What was in sight of a map of so many cells, with the window there.
+type Seen = Option<(Frame, (u32, u32), Window)>;
+
+/// The window around the cursor; the same one as long as the view rests and the cursor is inside.
+#[hook]
+pub(super) fn use_window(cursor: Cell, frame: Frame, board: (u32, u32)) -> Window {
+    let kept = use_held(Seen::default);
+    let window = match kept.take() {
+        Some((seen, of, window)) if seen == frame && of == board => window.reaching(cursor, board),
+        _ => Window::around(cursor, &frame, board),
+    };
+    kept.set(Some((frame, board, window)));
+    window
 }
 
 /// The rows in the window.

@@ -68,8 +68,11 @@ pub(super) fn FloorShapes(props: &FloorProps) -> Html {
         <g aria-hidden="true">
             { sheet("floor", width, height) }
             { layer(Layer::SlowTint) }
-            if look.has_lines() {
-                { part::<Lines>(LinesProps { width, height }) }
+            if look.has_lines {
+                { part::<Lines>(LinesProps { class: "grid", width, height, every: 1 }) }
+            }
+            if look.has_fifths {
+                { part::<Lines>(LinesProps { class: "grid fifth", width, height, every: 5 }) }
             }
             { layer(Layer::Slow) }
             { layer(Layer::SlowEdge) }
@@ -115,6 +118,8 @@ fn BandShapes(props: &BandProps) -> Html {
 
 #[derive(Clone, PartialEq, Properties)]
 struct LinesProps {
+    class: &'static str,
+    every: u32,
     width: u32,
     height: u32,
 }
@@ -122,7 +127,7 @@ struct LinesProps {
 /// The lines between cells.
 #[component]
 fn Lines(props: &LinesProps) -> Html {
-    html! { <path class="grid" d={lines(props.width, props.height)} /> }
+    html! { <path class={props.class} d={lines(props.width, props.height, props.every)} /> }
 }
 
 #[derive(Clone, Properties)]

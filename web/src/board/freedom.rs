@@ -55,7 +55,9 @@ fn Overlay(props: &OverlayProps) -> Html {
     };
     let number = |number: &Number| match detail {
         Detail::All | Detail::Plain => Some(sign(number)),
-        Detail::Forms | Detail::Dots => (number.weight == Weight::NoPlan).then(|| corner(number)),
+        Detail::Numbers | Detail::Forms | Detail::Dots => {
+            (number.weight == Weight::NoPlan).then(|| corner(number))
+        }
     };
     html! {
         <g class="freedom" aria-hidden="true">

@@ -1,17 +1,26 @@
 //! The keys of the board.
 
+use std::rc::Rc;
+
 use giveway_model::Cell;
-use giveway_page::{Action, BoardAction};
+use giveway_page::board::{Cast, tip};
+use giveway_page::{Action, BoardAction, Point};
 use gloo::events::EventListener;
+use gloo::timers::callback::Timeout;
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 use yew::prelude::*;
 
 use super::legend::ZOOM;
+use super::pointer::{At, Pointer};
 use super::viewport::Look;
+use super::{BOARD, cells};
+use crate::Shown;
 use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
 
+/// How long the cell of the keyboard rests before it is told of, in milliseconds.
+const REST_MS: u32 = 600;
 /// How many rows a page key goes at least.
 const PAGE: u32 = 5;
 
@@ -62,6 +71,59 @@ pub(super) fn use_cursor_keys(
         if let Some(action) = action {
             send.emit(action);
         }
+    })
+}
+
+/// After a while the cell that the keyboard moved to is told of, and described to those who do
+/// not see the board.
+#[hook]
+pub(super) fn use_tip_keys(
+    onkeydown: &Callback<KeyboardEvent>,
+    pointer: &Rc<Pointer>,
+    state: &Shown,
+    cast: &Rc<Cast>,
+) -> Callback<KeyboardEvent> {
+    let by_key = use_held(|| false);
+    let (cursor, time) = (state.view.cursor, state.view.playback.time);
+    {
+        let (by_key, pointer, cast) = (by_key.clone(), Rc::clone(pointer), Rc::clone(cast));
+        use_effect_with(cursor, move |&cell| {
+            let resting = by_key.take().then(|| {
+                pointer.set(None);
+                Timeout::new(REST_MS, move || {
+                    let point = Point {
+                        x: f64::from(cell.x),
+                        y: f64::from(cell.y),
+                    };
+                    let agent = cast.agent_at(point, f64::from(time));
+                    pointer.set(Some(At { cell, agent }));
+                })
+            });
+            move || drop(resting)
+        });
+    }
+    {
+        let (state, deps) = (state.clone(), (cursor, time, Rc::clone(cast)));
+        use_effect_with(deps, move |(cursor, _, cast)| {
+            let id = cells::id(BOARD.english(), *cursor);
+            let cell = gloo::utils::document().get_element_by_id(&id);
+            if let (Some(cell), Some(tip)) = (&cell, tip(&state, cast, *cursor)) {
+                // The name is valid, so that it cannot fail.
+                let _ = cell.set_attribute("aria-description", &tip.sentence());
+            }
+            move || {
+                if let Some(cell) = cell {
+                    let _ = cell.remove_attribute("aria-description");
+                }
+            }
+        });
+    }
+    let onkeydown = onkeydown.clone();
+    Callback::from(move |event: KeyboardEvent| {
+        let key = event.key();
+        let goes = goes_by(&key, event.ctrl_key(), PAGE).is_some();
+        by_key.set(goes);
+        onkeydown.emit(event);
     })
 }
 

@@ -6,19 +6,24 @@ use giveway_model::{Cell, sorting};
 use giveway_page::Draft;
 use giveway_page::beside::ahead;
 use giveway_page::board::{Cast, Detail, FloorLook, lit};
+use giveway_page::changing::{Stopped, stopped as stopped_robots};
 use giveway_page::inside::{Method, Overlay};
 use yew::prelude::*;
 
 use super::agents::Agents;
 use super::axis::Axis;
+use super::chosen::{ChosenForm, ChosenMarks, ChosenProps};
 use super::floor::FloorShapes;
+use super::floor_plan;
 use super::freedom;
 use super::inside::InsideFloor;
 use super::marks::Marks;
+use super::pills::{Pills, PillsProps};
+use super::pointer::Pointer;
 use super::rules::{self, Layer};
+use super::short_ways;
 use super::viewport::Sight;
 use super::ways::Ways;
-use crate::Shown;
 use crate::board::agents::AgentsProps;
 use crate::board::axis::AxisProps;
 use crate::board::floor::FloorProps;
@@ -26,6 +31,8 @@ use crate::board::inside::InsideProps;
 use crate::board::marks::MarksProps;
 use crate::board::ways::WaysProps;
 use crate::part::part;
+use crate::same::Same;
+use crate::{Shown, glyph};
 
 /// Which of two boards.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -55,6 +62,7 @@ pub(super) fn layers(
     versus: Option<&Rc<Cast>>,
     sight: &Sight,
     overlay: &Overlay,
+    pointer: &Rc<Pointer>,
 ) -> Html {
     let lit = overlay.lit.clone().or_else(|| lit(state));
     let is_proof = state.is_inside() && state.inside.method == Method::Proof;
@@ -62,6 +70,12 @@ pub(super) fn layers(
     let detail = frame.detail();
     let selected = state.selected_agent();
     let named = state.named_agent();
+    let picked = picked(state, detail, overlay);
+    let chosen = picked.map(|agent| ChosenProps {
+        cast: Rc::clone(cast),
+        agent,
+        frame,
+    });
     let world = place.world(state);
     let board = (world.grid().width(), world.grid().height());
     // What all best plans share takes the place of the ways of the plan that it is laid over.
@@ -69,22 +83,33 @@ pub(super) fn layers(
     html! {
         <>
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
+            if place == Place::Board { { floor_plan::picture(state) } }
             { rules::layer(state, world, Layer::Floor) }
             { part::<InsideFloor>(InsideProps { overlay: overlay.clone() }) }
             if is_laid_over {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails && !is_proof {
-                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still: None }) }
+                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), is_alone: picked.is_some(), still: None }) }
             }
+            if place == Place::Board { { short_ways::show(state) } }
             { rules::layer(state, world, Layer::Tabs) }
-            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
-            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, still: None }) }
+            { chosen.clone().map(part::<ChosenMarks>) }
+            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), draft: Same::new(Rc::clone(world)), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
+            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, but: picked, still: None }) }
             { rules::layer(state, world, Layer::Tags) }
-            if detail == Detail::All {
-                { part::<Axis>(AxisProps { frame, board }) }
-            }
+            { chosen.map(part::<ChosenForm>) }
+            { part::<Axis>(AxisProps { frame, board, pointer: Rc::clone(pointer) }) }
+            { part::<Pills>(PillsProps { cast: Rc::clone(cast), selected, detail, sight: Rc::clone(sight), pointer: Rc::clone(pointer) }) }
         </>
     }
+}
+
+/// The agent that stands out among small ones, which fade: the one selected, unless other agents
+/// are lit.
+pub(super) fn picked(state: &Shown, detail: Detail, overlay: &Overlay) -> Option<usize> {
+    let is_lit = overlay.lit.is_some() || lit(state).is_some();
+    let is_free = detail < Detail::All && !is_lit && !state.is_inside() && !state.is_laid_over();
+    state.selected_agent().filter(|_| is_free)
 }
 
 /// A frame and a triangle on every cell where something is wrong.
@@ -106,6 +131,21 @@ pub(super) fn problems(state: &Shown) -> Html {
         }
     };
     html! { <g aria-hidden="true">{ for cells.into_iter().map(mark) }</g> }
+}
+
+/// Robots that broke down for good: each an obstacle with its name.
+pub(super) fn stopped(state: &Shown) -> Html {
+    let one = |own: &Stopped| {
+        let (x, y) = (100 * own.cell.x + 50, 100 * own.cell.y + 50);
+        html! {
+            <g class={classes!("stopped", own.agent.map(glyph::class))} transform={format!("translate({x} {y})")}>
+                <g class="body">{ own.agent.map(glyph::form) }</g>
+                <path d="M-20-20 20 20M20-20-20 20" />
+                <text class="num" y="-52">{ own.name.clone() }</text>
+            </g>
+        }
+    };
+    html! { <g aria-hidden="true">{ for stopped_robots(state).iter().map(one) }</g> }
 }
 
 /// A frame around a cell, some units inside of it.

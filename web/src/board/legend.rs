@@ -5,13 +5,15 @@ use giveway_model::tr;
 use giveway_page::board::Kind;
 use giveway_page::find::FindAction;
 use giveway_page::inside::Sign;
-use giveway_page::{Action, State, ViewAction};
+use giveway_page::{Action, ViewAction};
 use yew::prelude::*;
 
 use super::differences;
+use super::find::{FindField, FindProps};
 use super::options::options;
 use super::viewport::Look;
-use crate::{glyph, icon, slot};
+use crate::part::part;
+use crate::{Shown, glyph, icon, slot};
 
 /// By how much a button or key enlarges.
 pub(super) const ZOOM: f64 = 1.5;
@@ -26,10 +28,13 @@ pub(super) struct Under<'a> {
     pub(super) look: &'a Callback<Look>,
     pub(super) is_fit: bool,
     pub(super) is_nearest: bool,
+    /// Whether cells are small, or only a part of them is in sight: a phone has the buttons then,
+    /// too.
+    pub(super) is_small: bool,
     /// The agent that the camera can go with, and whether it does.
     pub(super) follow: Option<(AttrValue, bool)>,
     pub(super) send: &'a Callback<Action>,
-    pub(super) state: &'a State,
+    pub(super) state: &'a Shown,
 }
 
 /// The legend and the buttons of the view.
@@ -56,16 +61,17 @@ pub(super) fn under(props: &Under<'_>) -> Html {
     let differences = differences::row(props.state, props.send).filter(|_| said.is_none());
     let options =
         options(props.state, props.send).filter(|_| said.is_none() && differences.is_none());
+    let finds = props.state.view.find.is_some();
     let is_covered = said.is_some() || differences.is_some() || options.is_some();
     html! {
-        <div class="under">
+        <div class={classes!("under", props.is_small.then_some("small"), finds.then_some("finds"))}>
             { slot::show(props.state, said.as_ref(), props.send) }
             <ul class="legend" aria-label={tr!("Legend")} hidden={is_covered}>{ signs }</ul>
             { differences }
             { options }
             <div class="zoom" role="group" aria-label={tr!("View")}>
                 { find(props) }
-                { follow(props) }
+                if !finds { { follow(props) } }
                 { button(tr!("Zoom out"), "minus", '-', props.is_fit, Look::Zoom(1.0 / ZOOM, None)) }
                 { button(tr!("Fit"), "fit", '0', props.is_fit, Look::Fit) }
                 { button(tr!("Zoom in"), "plus", '+', props.is_nearest, Look::Zoom(ZOOM, None)) }
@@ -76,6 +82,10 @@ pub(super) fn under(props: &Under<'_>) -> Html {
 
 /// The button that finds a robot, where they are not seen at one glance.
 fn find(props: &Under<'_>) -> Html {
+    if props.state.view.find.is_some() {
+        let (state, send) = (props.state.clone(), props.send.clone());
+        return part::<FindField>(FindProps { state, send });
+    }
     if props.state.world().agents().len() < MANY {
         return html! {};
     }

@@ -23,6 +23,9 @@ pub(super) struct MarksProps {
     pub(super) detail: Detail,
     /// Whose goals are seen; all where there is none.
     pub(super) lit: Option<Vec<usize>>,
+    /// Whose are left out, for they are drawn larger.
+    #[prop_or_default]
+    pub(super) but: Option<usize>,
     /// The time at which they are drawn at once, on paper.
     #[prop_or_default]
     pub(super) still: Option<f64>,
@@ -54,7 +57,7 @@ pub(super) fn Marks(props: &MarksProps) -> Html {
     }
     let is_dim = |mark: &Mark| {
         let lit = props.lit.as_ref();
-        lit.is_some_and(|lit| !lit.contains(&mark.agent))
+        props.but == Some(mark.agent) || lit.is_some_and(|lit| !lit.contains(&mark.agent))
     };
     let mut occupied = Occupied::default();
     if let Some(time) = props.still {

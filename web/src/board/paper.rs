@@ -15,7 +15,7 @@ use super::reasons::ReasonMarks;
 use super::rules::Layer;
 use super::viewport::use_sight;
 use super::ways::Ways;
-use super::{freedom, rules, view_box};
+use super::{LETTERS_PX, freedom, rules, view_box};
 use crate::Shown;
 use crate::board::agents::AgentsProps;
 use crate::board::floor::FloorProps;
@@ -23,6 +23,7 @@ use crate::board::marks::MarksProps;
 use crate::board::reasons::ReasonsProps;
 use crate::board::ways::WaysProps;
 use crate::part::part;
+use crate::same::Same;
 
 /// The room of a board on paper, in pixels: A4 and letter have this beside their margins.
 const ROOM: (f64, f64) = (640.0, 620.0);
@@ -56,17 +57,17 @@ pub(crate) fn PaperBoard(props: &PaperBoardProps) -> Html {
     let (width, height) = (frame.width, frame.height);
     let px = |units: f64| (units * frame.cell_px / 100.0).to_string();
     html! {
-        <svg class={classes!("map", detail.class())} viewBox={view_box(&frame)} width={px(width)} height={px(height)} aria-hidden="true">
+        <svg class={classes!("map", detail.class())} viewBox={view_box(&frame)} width={px(width)} height={px(height)} font-size={format!("{:.1}", frame.units(LETTERS_PX))} aria-hidden="true">
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
             { rules::on_paper(state, Layer::Floor) }
             if state.is_laid_over() {
                 { freedom::overlay(state, detail) }
             } else if state.view.layers.trails {
-                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), still }) }
+                { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), is_alone: false, still }) }
             }
             { rules::on_paper(state, Layer::Tabs) }
-            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), versus: None::<Rc<Cast>>, detail, selected: None::<usize>, lit: None::<Vec<usize>>, named: None::<usize>, sight, still }) }
-            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit: None::<Vec<usize>>, still }) }
+            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), draft: Same::new(Rc::clone(world)), versus: None::<Rc<Cast>>, detail, selected: None::<usize>, lit: None::<Vec<usize>>, named: None::<usize>, sight, still }) }
+            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit: None::<Vec<usize>>, but: None::<usize>, still }) }
             { rules::on_paper(state, Layer::Tags) }
             { part::<ReasonMarks>(ReasonsProps { reasons: board::reasons(state), cell_px: frame.cell_px }) }
             { problems(state) }

@@ -7,7 +7,6 @@
 use giveway_model::Grid;
 use giveway_page::board::Frame;
 use wasm_bindgen::{JsCast as _, JsValue};
-use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, CssStyleDeclaration, Element, Event, SvgsvgElement, XmlSerializer};
 use yew::prelude::hook;
 
@@ -15,7 +14,7 @@ use crate::paper::Paper;
 use crate::sheet::use_between;
 
 /// What is done with, and not part of a picture.
-const OVERLAYS: &str = "[role=row], .hover, .cursor, .selcell, .selring";
+const OVERLAYS: &str = "[role=row], .floor-plan, .hover, .cursor, .selcell, .selring";
 /// What the look of a shape is made of, with what it is where nothing is said.
 const LOOK: [(&str, &str); 12] = [
     ("fill", "rgb(0, 0, 0)"),
@@ -181,8 +180,7 @@ impl Picture {
     pub(crate) async fn png(&self) -> Result<Blob, JsValue> {
         let paper = Paper::new((self.size.0 * FINER, self.size.1 * FINER))?;
         paper.draw(&self.svg).await?;
-        let blob = paper.canvas.convert_to_blob()?;
-        JsFuture::from(blob).await?.dyn_into()
+        paper.blob().await
     }
 }
 

@@ -5,13 +5,14 @@ use std::rc::Rc;
 
 use giveway_page::Draft;
 use giveway_page::board::{
-    LaneShape, RulesNow, SignKind, TagShape, ZoneShape, rule_shapes, rules_now,
+    KeptShape, LaneShape, RulesNow, SignKind, TagShape, ZoneShape, kept_free, rule_shapes,
+    rules_now, tab_parts,
 };
 use giveway_page::rules::Lit;
 use yew::prelude::*;
 
-use crate::Shown;
 use crate::part::part;
+use crate::{Shown, glyph};
 
 /// Of which scene, at which time, and what is lit.
 #[derive(Clone, Properties)]
@@ -19,6 +20,8 @@ struct RulesProps {
     draft: Rc<Draft>,
     now: RulesNow,
     lit: Option<Lit>,
+    /// The cells that the rule which is looked at keeps free.
+    kept: Vec<KeptShape>,
     layer: Layer,
     /// The id of the hatch of closed zones.
     hatch: &'static str,
@@ -29,6 +32,7 @@ impl PartialEq for RulesProps {
         Rc::ptr_eq(&self.draft, &other.draft)
             && self.now == other.now
             && self.lit == other.lit
+            && self.kept == other.kept
             && self.layer == other.layer
             && self.hatch == other.hatch
     }
@@ -65,6 +69,11 @@ fn show(state: &Shown, draft: &Rc<Draft>, layer: Layer, hatch: &'static str) -> 
         now: rules_now(state),
         draft: Rc::clone(draft),
         lit: state.lit_rule().cloned(),
+        kept: if layer == Layer::Tabs {
+            kept_free(state)
+        } else {
+            Vec::new()
+        },
         layer,
         hatch,
     };
@@ -84,7 +93,7 @@ fn Rules(props: &RulesProps) -> Html {
             </g>
         },
         Layer::Tabs => {
-            html! { <g class="rules-on" aria-hidden="true">{ for shapes.zones.iter().map(tab) }</g> }
+            html! { <g class="rules-on" aria-hidden="true">{ for props.kept.iter().map(kept) }{ for shapes.zones.iter().map(tab) }</g> }
         }
         Layer::Tags => {
             html! { <g class="rules-on" aria-hidden="true">{ for shapes.tags.iter().map(tag) }</g> }
@@ -114,6 +123,11 @@ fn zone(zone: &ZoneShape) -> Html {
     }
 }
 
+/// The cells that are kept free behind a robot, or around it.
+fn kept(kept: &KeptShape) -> Html {
+    html! { <path class={classes!("kept-free", glyph::class(kept.agent))} d={kept.path.clone()} /> }
+}
+
 fn lane(lane: &LaneShape) -> Html {
     let chevron = |&(x, y, degrees): &(u32, u32, u32)| {
         html! {
@@ -125,22 +139,17 @@ fn lane(lane: &LaneShape) -> Html {
     html! { <g class={classes!("one-way", lane.is_lit.then_some("lit"), lane.is_broken.then_some("broken"))}>{ for lane.borders.iter().map(chevron) }</g> }
 }
 
-/// How far apart the signs of a tab stand, and how wide a letter is, in units.
-const APART: f64 = 38.0;
-const LETTER: f64 = 12.5;
+/// The room of a clock in a tag, in units.
+const CLOCK: f64 = 26.0;
 
 fn tab(zone: &ZoneShape) -> Html {
     let (x, y) = zone.tab;
-    let wide = |text: &str| text.chars().count() as f64 * LETTER;
-    let from = APART * zone.signs.len() as f64 - 8.0;
-    let name = wide(&zone.name);
-    let times = zone
-        .times
-        .as_deref()
-        .map_or(0.0, |times| wide(times) + 12.0);
-    let width = (from + name + times + 12.0).to_string();
+    let parts = tab_parts(zone);
+    let from = parts.name;
+    let name = parts.times - 12.0 - from;
+    let width = parts.end.to_string();
     let at = |sign: (usize, &SignKind)| {
-        let by = APART * sign.0 as f64;
+        let by = parts.apart * sign.0 as f64;
         html! { <g transform={format!("translate({by} 0)")}>{ show_sign(sign.1) }</g> }
     };
     html! {
@@ -149,7 +158,7 @@ fn tab(zone: &ZoneShape) -> Html {
                 <rect x="0" y="-19.5" {width} height="39" rx="12" />
                 <text x={from.to_string()} y="8.5" textLength={name.to_string()} lengthAdjust="spacingAndGlyphs">{ zone.name.clone() }</text>
                 if let Some(times) = &zone.times {
-                    <text class="zone-times" x={(from + name + 12.0).to_string()} y="8.5">{ times.clone() }</text>
+                    <text class="zone-times" x={parts.times.to_string()} y="8.5">{ times.clone() }</text>
                 }
             </g>
             <g class="signs">{ for zone.signs.iter().enumerate().map(at) }</g>
@@ -180,7 +189,10 @@ fn tag(tag: &TagShape) -> Html {
         f64::from(tag.cell.x) * 100.0 + dx,
         f64::from(tag.cell.y) * 100.0 + dy,
     );
-    let width = tag.text.chars().count() as f64 * 11.0 + 12.0;
+    // A clock stands before the steps of a stay.
+    let is_stay = tag.class.contains("stay");
+    let clock = if is_stay { CLOCK } else { 0.0 };
+    let width = tag.text.chars().count() as f64 * 11.0 + 12.0 + clock;
     let left = -width / 2.0;
     let bar = match tag.class {
         "late" => Some(width / 2.0),
@@ -188,9 +200,12 @@ fn tag(tag: &TagShape) -> Html {
         _ => None,
     };
     html! {
-        <g class={classes!("rule-tag-on", tag.class.split(' ').map(str::to_owned).collect::<Vec<_>>())} transform={format!("translate({x} {y})")}><g class="in">
+        <g class={classes!("rule-tag-on", tag.is_broken.then_some("broken"), tag.class.split(' ').map(str::to_owned).collect::<Vec<_>>())} transform={format!("translate({x} {y})")}><g class="in">
             <rect x={left.to_string()} y="-14" width={width.to_string()} height="28" rx="6" />
-            <text y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
+            <text x={(clock / 2.0).to_string()} y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
+            if is_stay {
+                <path class="stay-clock" transform={format!("translate({} 0)", left + CLOCK / 2.0 + 3.0)} d="M0-8a8 8 0 1 0 .01 0M0-4V0l3 2" />
+            }
             if let Some(bar) = bar { <path d={format!("M{bar} -15V15")} /> }
         </g></g>
     }

@@ -3,8 +3,10 @@
 use std::cell::Cell;
 use std::rc::Rc;
 
+use giveway_model::Cell as MapCell;
 use giveway_page::Point;
 use giveway_page::board::{CELL, Camera, Frame};
+use giveway_page::grow::Room;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};
@@ -15,8 +17,8 @@ use yew::prelude::*;
 pub(super) enum Look {
     /// The board got another size.
     Screen((f64, f64)),
-    /// Another map is on it, of so many cells.
-    Board((u32, u32)),
+    /// Another map is on it, or more around it.
+    Board(Room),
     /// Larger or smaller around a pixel, or around the middle.
     Zoom(f64, Option<(f64, f64)>),
     /// Moved by so many pixels.
@@ -28,9 +30,9 @@ pub(super) enum Look {
     /// This point of the map in the middle, in cells.
     Middle(Point),
     /// This cell too.
-    Show(giveway_model::Cell),
+    Show(MapCell),
     /// This cell, which was looked for.
-    Find(giveway_model::Cell),
+    Find(MapCell),
 }
 
 #[derive(Clone, PartialEq)]
@@ -38,7 +40,7 @@ struct Looked {
     camera: Camera,
     /// The one that shows all.
     whole: Camera,
-    board: (u32, u32),
+    room: Room,
     screen: Option<(f64, f64)>,
 }
 
@@ -48,10 +50,11 @@ impl Reducible for Looked {
     fn reduce(self: Rc<Self>, look: Look) -> Rc<Self> {
         let Self {
             camera,
-            board,
+            room,
             screen,
             ..
         } = *self;
+        let (board, before) = (room.size, room.before);
         let px = screen.unwrap_or((0.0, 0.0));
         let middle = (px.0 / 2.0, px.1 / 2.0);
         let camera = match look {
@@ -61,10 +64,10 @@ impl Reducible for Looked {
                     ..(*self).clone()
                 });
             }
-            Look::Board(board) if board == self.board => return self,
-            Look::Board(board) => {
+            Look::Board(room) if room == self.room => return self,
+            Look::Board(room) => {
                 return Rc::new(Self {
-                    board,
+                    room,
                     whole: self.whole,
                     camera: self.whole,
                     screen,
@@ -74,17 +77,31 @@ impl Reducible for Looked {
             Look::Pan(by) => camera.pan(by, board, px),
             Look::Pinch(factor, at, by) => camera.zoom(factor, at, board, px).pan(by, board, px),
             Look::Fit => self.whole,
-            Look::Middle(point) => camera.centred(point, board, px),
-            Look::Show(cell) => camera.show(cell, board, px),
-            Look::Find(cell) => camera.find(cell, board, px),
+            Look::Middle(Point { x, y }) => {
+                let middle = Point {
+                    x: x + f64::from(before.0),
+                    y: y + f64::from(before.1),
+                };
+                camera.centred(middle, board, px)
+            }
+            Look::Show(cell) => camera.show(moved(cell, before), board, px),
+            Look::Find(cell) => camera.find(moved(cell, before), board, px),
         };
         Rc::new(Self {
             camera,
             whole: self.whole,
-            board,
+            room,
             screen,
         })
     }
+}
+
+/// A cell of the map, as one of the room around it.
+fn moved(cell: MapCell, before: (u32, u32)) -> MapCell {
+    MapCell::new(
+        cell.x.saturating_add(before.0),
+        cell.y.saturating_add(before.1),
+    )
 }
 
 /// What is in sight, and how that is changed.
@@ -98,9 +115,9 @@ pub(super) struct Viewport {
 }
 
 impl Viewport {
-    /// What is in sight of a map of some cells.
-    pub(super) fn frame(&self, board: (u32, u32)) -> Frame {
-        self.camera.frame(board, self.screen_for(board))
+    /// What is in sight of a map with room around it.
+    pub(super) fn frame(&self, room: Room) -> Frame {
+        room.frame(self.frame_of(&self.camera, room.size))
     }
 
     /// What another camera sees of such a map from here.
@@ -120,14 +137,14 @@ impl Viewport {
     }
 }
 
-/// The viewport of an area that shows a map of some cells, all of it at first as by the
+/// The viewport of an area that shows a map with room around it, all of it at first as by the
 /// camera `whole`.
 #[hook]
-pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32), whole: Camera) -> Viewport {
+pub(super) fn use_viewport(area: &NodeRef, room: Room, whole: Camera) -> Viewport {
     let sight = use_reducer_eq(|| Looked {
         camera: whole,
         whole,
-        board,
+        room,
         screen: None,
     });
     let look = use_callback(sight.dispatcher(), |look, sight| sight.dispatch(look));
@@ -137,12 +154,12 @@ pub(super) fn use_viewport(area: &NodeRef, board: (u32, u32), whole: Camera) -> 
     }
     {
         let (area, look) = (area.clone(), look.clone());
-        use_effect_with(board, move |&board| {
-            tell_shape(&area, board);
-            look.emit(Look::Board(board));
+        use_effect_with(room, move |&room| {
+            tell_shape(&area, room.size);
+            look.emit(Look::Board(room));
         });
     }
-    let is_new = sight.board != board;
+    let is_new = sight.room != room;
     Viewport {
         camera: if is_new { whole } else { sight.camera },
         look,

@@ -25,6 +25,9 @@ pub(super) struct WaysProps {
     pub(super) selected: Option<usize>,
     /// Whose ways ahead are drawn; all where there is none.
     pub(super) ahead: Option<Vec<usize>>,
+    /// Whether only the way of the one selected is drawn.
+    #[prop_or_default]
+    pub(super) is_alone: bool,
     /// The time at which they are drawn at once, on paper.
     #[prop_or_default]
     pub(super) still: Option<f64>,
@@ -35,7 +38,9 @@ pub(super) struct WaysProps {
 pub(super) fn Ways(props: &WaysProps) -> Html {
     let (still, ends) = (use_node_ref(), use_node_ref());
     let count = props.cast.agents.len();
-    let shown: Vec<usize> = if count <= MOST {
+    let shown: Vec<usize> = if props.is_alone {
+        props.selected.into_iter().collect()
+    } else if count <= MOST {
         (0..count).collect()
     } else {
         let concerned = props.ahead.iter().flatten().copied();

@@ -16,11 +16,12 @@ pub(crate) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let Some(columns) = columns(state) else {
         return Html::default();
     };
-    let column = |(index, facts): (usize, &Column)| column(index, facts, state, send);
+    let is_one = columns.len() == 1;
+    let column = |facts: &Column| column(facts.index, facts, is_one, state, send);
     html! {
         <section class="cmp" aria-label={tr!("Ways to go on")}>
             { help(state, send) }
-            <div class="cols" tabindex="0">{ for columns.iter().enumerate().map(column) }</div>
+            <div class="cols" tabindex="0">{ for columns.iter().map(column) }</div>
             <button type="button" class="btn ghost only-ph" onclick={send.reform(|_| Action::Change(ChangeAction::Discard))}>
                 { icon::show("undo") }{ tr!("Discard") }
             </button>
@@ -70,21 +71,36 @@ fn help(state: &State, send: &Callback<Action>) -> Html {
     }
 }
 
-fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) -> Html {
+fn column(
+    index: usize,
+    facts: &Column,
+    is_one: bool,
+    state: &Shown,
+    send: &Callback<Action>,
+) -> Html {
     let changing = state.document.mode.changing();
     let before = changing.map(|changing| changing.about.clone());
     let has_plan = facts.has_plan();
-    let title = facts.title.clone();
+    let title = facts.titles.join(", ");
+    let is_shared = facts.titles.len() > 1;
     let preview = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Preview(index)));
     let adopt = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::Adopt(index)));
     html! {
-        <article key={index} class={classes!("col", facts.is_chosen.then_some("best"), (!has_plan).then_some("none"))} aria-label={title.clone()}>
+        <article key={index} class={classes!("col", facts.is_chosen.then_some("best"), (!has_plan).then_some("none"), is_one.then_some("one"))} aria-label={title.clone()}>
             <header>
-                <h2>{ title.clone() }</h2>
+                if is_shared {
+                    <h2>{ tr!("{n} equal answer is one plan" | "{n} equal answers are one plan" % facts.titles.len()) }</h2>
+                } else {
+                    <h2>{ title.clone() }</h2>
+                }
                 if facts.is_least {
                     <span class="badge proved">{ icon::show("proved") }{ tr!("Lowest cost") }</span>
                 }
-                <p>{ facts.promise.clone() }</p>
+                if is_shared {
+                    <ul class="names">{ for facts.titles.iter().map(|name| html! { <li>{ icon::show("check") }{ *name }</li> }) }</ul>
+                } else {
+                    <p>{ facts.promise.clone() }</p>
+                }
             </header>
             if !has_plan {
                 <p class="no-plan">{ icon::show("cancel") }{ tr!("No plan") }</p>
@@ -119,7 +135,7 @@ fn column(index: usize, facts: &Column, state: &Shown, send: &Callback<Action>) 
 
 fn cost(cost: &CostChange) -> Html {
     let class = match cost.before.map(|before| cost.after.cmp(&before)) {
-        Some(std::cmp::Ordering::Less) => "d better",
+        Some(std::cmp::Ordering::Less) if cost.counts_all => "d better",
         Some(std::cmp::Ordering::Greater) => "d worse",
         _ => "d same",
     };

@@ -2,11 +2,11 @@
 
 mod agents;
 mod examples;
-mod find;
 mod frame;
 mod help;
 mod new_scene;
 mod popover;
+mod report;
 mod save_as;
 mod scenes;
 mod share;
@@ -17,11 +17,11 @@ use giveway_page::files::Choice;
 
 pub(crate) use agents::{Agents, AgentsProps};
 pub(crate) use examples::{Examples, ExamplesProps};
-pub(crate) use find::{FindProps, FindRobot};
 pub(crate) use frame::Frame;
 pub(crate) use help::help;
 pub(crate) use new_scene::{NewScene, NewSceneProps};
 pub(crate) use popover::use_dismiss;
+pub(crate) use report::{Report, ReportProps, sheet as report_sheet};
 pub(crate) use save_as::{SaveAs, SaveAsProps};
 pub(crate) use scenes::{Scenes, ScenesProps};
 pub(crate) use share::{Share, ShareProps};
@@ -48,6 +48,8 @@ pub(crate) enum Panel {
     Agents(Rc<Choice>),
     /// The size and name of a new scene.
     New,
+    /// The report of the plan.
+    Report,
     /// Formats of other makers, to save in.
     SaveAs,
     /// The scenes that are kept.

@@ -1,10 +1,10 @@
 //! An agent at the time shown.
 
-use giveway_model::tr;
+use giveway_model::{Units, tr};
 use giveway_page::inspect::{AgentFacts, BatteryFacts};
 use giveway_page::rules::{self, Lit, RuleAction};
 use giveway_page::timeline::{Lane, Way};
-use giveway_page::{Action, PlayAction, State};
+use giveway_page::{Action, PlayAction, State, words};
 use yew::prelude::*;
 
 use super::back;
@@ -27,7 +27,7 @@ pub(super) fn show(state: &State, facts: &AgentFacts, send: &Callback<Action>) -
                     <div><dt>{ tr!("Waypoints") }</dt><dd><span><b>{ visited }</b>{ tr!("after a bold number" => " of {waypoints} visited", waypoints) }</span></dd></div>
                 }
                 if let Some(lane) = &facts.lane {
-                    { show_plan(lane, send) }
+                    { show_plan(lane, state.world().scene().units, send) }
                 }
             </dl>
         </>
@@ -55,12 +55,13 @@ fn waits_for(state: &State, agent: usize, send: &Callback<Action>) -> Html {
     html! { <>{ tr!("behind a wait, before the rule that causes it" => " for ") }{ for rules.iter().enumerate().map(rule) }</> }
 }
 
-fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
+fn show_plan(lane: &Lane, units: Option<Units>, send: &Callback<Action>) -> Html {
     let (slow, waits, broken) = (lane.count(Way::Slow), lane.waits(), lane.count(Way::Broken));
+    let turns = lane.turns();
     let arrival = lane.arrival;
     html! {
         <>
-            <div><dt>{ tr!("Arrives") }</dt><dd><span>{ tr!("before a time" => "at") }{ " " }{ time(arrival, send) }</span></dd></div>
+            <div><dt>{ tr!("Arrives") }</dt><dd><span>{ tr!("before a time" => "at") }{ " " }{ time(arrival, send) }if let Some(after) = words::duration(units, arrival) { { format!(" ({after})") } }</span></dd></div>
             <div>
                 <dt>{ tr!("Path") }</dt>
                 <dd><span>
@@ -71,6 +72,7 @@ fn show_plan(lane: &Lane, send: &Callback<Action>) -> Html {
             if waits > 0 {
                 <div><dt>{ tr!("Waits") }</dt><dd><span>
                     <b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }
+                    if turns > 0 { { tr!(", {turns} of them to turn", turns) } }
                     if broken > 0 { { tr!(", {broken} of them broken down", broken) } }
                 </span></dd></div>
             }

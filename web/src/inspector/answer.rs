@@ -2,17 +2,19 @@
 //! what excludes it, what would help.
 
 use giveway_model::tr;
-use giveway_page::ask::{Card, FactRow, Facts, Happening, Held, Offered, Other};
+use giveway_page::ask::{Card, FactRow, Facts, Happening, Held, Offered};
 use giveway_page::beside::DifferenceRow;
 use giveway_page::{Action, AskAction, Lit, PlayAction, SolveAction};
 use yew::prelude::*;
 
-use super::coming::{place, progress, verdict_place};
+use super::coming::{place, progress, verdict_place, ways};
 use super::groups;
 use super::pays::{it_could, nobody_yet, verdict_card, who_pays};
 use crate::icon;
+use crate::turning::turning;
 
 /// What scrolls of the card.
+#[inline(never)]
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     // The facts have the numbers: they come first.
     let is_numbered = card
@@ -33,7 +35,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 <h2>{ card.question.clone() }</h2>
                 if let Some(about) = &card.about { <p>{ about.clone() }</p> }
             </header>
-            <div class="verdict-at" aria-live="polite">
+            <div class={classes!("verdict-at", card.holds_places.then_some("lasting"))} aria-live="polite">
                 if let Some(verdict) = &card.verdict { { verdict_card(verdict, send) } }
             </div>
             if held.verdict { { verdict_place() } }
@@ -41,7 +43,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if card.other.is_none() && !card.repairs.is_empty() {
                 { repairs(card, true, send) }
             }
-            if !card.could.is_empty() { { it_could(&card.could, send) } }
+            if !card.could.is_empty() || held.ways > 0 { { it_could(&card.could, ways(held.ways), send) } }
             if let Some(pays) = &card.pays { { who_pays(pays, held, send) } } else if held.rows > 0 { { nobody_yet(held) } }
             if !card.differences.is_empty() { { what_differs(&card.differences, send) } }
             if !is_numbered {
@@ -64,75 +66,84 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
 }
 
 /// What stays at the foot of it: how far it is, then to open the other plan, then to decide.
+#[inline(never)]
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let button = |class: &'static str, icon: &'static str, word: &'static str, action: Action| {
-        html! {
-            <button type="button" class={classes!("btn", class)} onclick={send.reform(move |_| action.clone())}>
-                { icon::show(icon) }{ word }
-            </button>
-        }
+        let content = html! { <>{ icon::show(icon) }{ word }</> };
+        turning(class, word, content, send.reform(move |_| action.clone()))
     };
     let ask = |action: AskAction| Action::Ask(action);
     let coming = card.coming.as_ref();
     let is_looking = coming.is_some_and(|coming| coming.is_looking);
     // One button leads: to decide, where there is something to decide on.
     let has_next = card.other.is_some() || !card.repairs.is_empty();
-    let led = |leads: bool| if leads { "primary" } else { "outline" };
-    let other = card.other.map(|other| {
-        let show = |on: bool| ask(AskAction::ShowOther(on));
-        let take = ask(AskAction::TakeOther);
-        match other {
-            Other {
-                is_shown: true,
-                is_beside: true,
-                ..
-            } => html! {
-                <>
-                    { button("primary", "check", tr!("Keep this plan"), show(false)) }
-                    { button("outline", "compare", tr!("Take the other plan"), take) }
-                </>
-            },
-            Other { is_shown: true, .. } => html! {
-                <>
-                    { button("primary", "compare", tr!("Show this plan"), show(false)) }
-                    { button("outline", "check", tr!("Take the other plan"), take) }
-                </>
-            },
-            Other {
-                is_better: true, ..
-            } => html! {
-                <>
-                    { button("primary", "check", tr!("Take the better plan"), take) }
-                    { button("outline", "compare", tr!("Show it"), show(true)) }
-                </>
-            },
-            Other { .. } => button("primary", "compare", tr!("Show the other plan"), show(true)),
+    let show = |on: bool| ask(AskAction::ShowOther(on));
+    let take = || ask(AskAction::TakeOther);
+    let other = card.other.as_ref().map(|other| {
+        // To show it and not to show it have the same place, and to take it another one.
+        let buttons = if other.is_shown && other.is_beside {
+            [
+                button("primary", "check", tr!("Keep this plan"), show(false)),
+                button("outline", "compare", tr!("Take the other plan"), take()),
+            ]
+        } else if other.is_shown {
+            [
+                button("primary", "compare", tr!("Show this plan"), show(false)),
+                button("outline", "check", tr!("Take the other plan"), take()),
+            ]
+        } else if other.is_better {
+            let words = match &other.which {
+                Some(_) => tr!("Take the other plan"),
+                None => tr!("Take the better plan"),
+            };
+            [
+                button("outline", "compare", tr!("Show it"), show(true)),
+                button("primary", "check", words, take()),
+            ]
+        } else {
+            let words = tr!("Show the other plan");
+            [
+                button("primary", "compare", words, show(true)),
+                Html::default(),
+            ]
+        };
+        html! {
+            <>
+                if let Some(which) = &other.which {
+                    <p class="which">{ tr!("The other plan: {which}", which) }</p>
+                }
+                { for buttons }
+            </>
         }
     });
-    let is_shown = card.other.is_some_and(|other| other.is_shown);
+    let is_shown = card.other.as_ref().is_some_and(|other| other.is_shown);
+    // The last row, so that nothing else comes where it is.
+    let end = |icon: &'static str, words: &'static str, action: Action| {
+        button(
+            if has_next { "outline" } else { "primary" },
+            icon,
+            words,
+            action,
+        )
+    };
     let end = match coming {
-        Some(_) if is_looking => button(
-            led(!has_next),
-            "cancel",
-            tr!("Cancel"),
-            Action::Solve(SolveAction::Cancel),
-        ),
-        Some(_) if !is_shown => button(
-            led(!has_next),
-            "search",
-            tr!("Keep looking"),
-            ask(AskAction::Again),
-        ),
+        Some(_) if is_looking => {
+            let cancel = Action::Solve(SolveAction::Cancel);
+            end("cancel", tr!("Cancel"), cancel)
+        }
+        Some(_) if !is_shown => end("search", tr!("Keep looking"), ask(AskAction::Again)),
         Some(_) | None if !is_shown => {
             button("outline", "check", tr!("Done"), ask(AskAction::Close))
         }
         Some(_) | None => html! {},
     };
+    let held = coming.is_some_and(|coming| coming.held.other);
     html! {
-        <footer class={classes!("foot", coming.map(|_| "at-work"))}>
+        <footer class={classes!("foot", "decides", coming.map(|_| "at-work"))}>
             if let Some(coming) = coming { { progress(&card.question, coming) } }
+            if held { <p class="which held" aria-hidden="true"></p> }
             { other }
-            { end }
+            <span class="last">{ end }</span>
         </footer>
     }
 }
@@ -216,7 +227,9 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
                     { icon::show(fact.icon) }
                 }
                 <span>{ fact.text.clone() }if let Some(mark) = fact.mark { <small>{ mark }</small> }</span>
-            </button></li>
+            </button>
+            { for groups::loosens(fact, send) }
+            </li>
         }
     };
     html! {
@@ -232,20 +245,44 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     }
 }
 
+/// What a repair saves or costs more; what is given up with something is no gain.
+fn saves((by, is_less): &(String, bool), gives_up: bool) -> Html {
+    let class = (*is_less && !gives_up).then_some("better");
+    html! { <em class={classes!(class)}>{ by.clone() }</em> }
+}
+
 fn repairs(card: &Card, leads: bool, send: &Callback<Action>) -> Html {
+    let all = || card.repairs.iter().enumerate();
+    let of = |gives_up: bool| all().filter(move |(_, repair)| repair.gives_up == gives_up);
+    let is_split = leads && of(true).next().is_some() && of(false).next().is_some();
+    // To loosen keeps most of what was wanted.
+    let first = if is_split {
+        of(false).next()
+    } else {
+        all().next()
+    };
+    let first = first.map(|(index, _)| index);
     let one = |(index, repair): (usize, &Offered)| {
         html! {
-            <li><button type="button" class={classes!("repair", (leads && index == 0).then_some("lead"))}
+            <li><button type="button" class={classes!("repair", (leads && Some(index) == first).then_some("lead"))}
                 onclick={send.reform(move |_| Action::Ask(AskAction::TakeRepair(index)))}>
                 { icon::show(repair.icon) }
                 <span>{ repair.text.clone() }<small>{ repair.costs.clone() }</small></span>
+                if let Some(by) = &repair.difference { { saves(by, repair.gives_up) } }
             </button></li>
         }
     };
     html! {
         <section>
             <h3>{ tr!("What would help") }</h3>
-            <ul class="repairs">{ for card.repairs.iter().enumerate().map(one) }</ul>
+            if is_split {
+                <h4>{ tr!("Loosen one of them") }</h4>
+                <ul class="repairs">{ for of(false).map(one) }</ul>
+                <h4>{ tr!("Or give one up") }</h4>
+                <ul class="repairs">{ for of(true).map(one) }</ul>
+            } else {
+                <ul class="repairs">{ for all().map(one) }</ul>
+            }
             if let Some(more) = &card.more_repairs { <p class="remark">{ more.clone() }</p> }
         </section>
     }

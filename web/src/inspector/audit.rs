@@ -10,6 +10,7 @@ use yew::prelude::*;
 use crate::icon;
 
 /// What scrolls of it.
+#[inline(never)]
 pub(super) fn show(
     facts: &Facts,
     walk: Option<&Conflicts>,
@@ -76,6 +77,7 @@ pub(super) fn conflicts(walk: Option<&Conflicts>, send: &Callback<Action>) -> Ht
 }
 
 /// What begins the audit of the plan on the board.
+#[inline(never)]
 pub(super) fn begin(question: Option<&'static str>, send: &Callback<Action>) -> Html {
     let Some(question) = question else {
         return html! {};
@@ -189,6 +191,7 @@ fn stands(share: u32, words: &str) -> Html {
 }
 
 /// What stays at the foot of it.
+#[inline(never)]
 pub(super) fn foot(facts: &Facts, is_wide: bool, send: &Callback<Action>) -> Html {
     let button = |class, icon, text: &str, action, pressed: Option<bool>| {
         html! {

@@ -5,7 +5,7 @@ use giveway_page::inspect::{CellFacts, Pass};
 use giveway_page::{Action, BoardAction, PlayAction, Selection};
 use yew::prelude::*;
 
-use super::{back, in_draft, rules};
+use super::{back, grow, in_draft, rules};
 use crate::{Shown, glyph, icon};
 
 /// The most lines of who passes.
@@ -21,6 +21,8 @@ pub(super) fn show(state: &Shown, facts: &CellFacts, send: &Callback<Action>) ->
                 </span>
                 <div><h2>{ facts.title.clone() }</h2><p>{ facts.ground }</p></div>
             </header>
+            // It stays where it is when lines come and go: what follows is of the plan.
+            { grow::lines(state, send) }
             if !facts.roles.is_empty() {
                 <ul class="choices">
                     { for facts.roles.iter().map(|(agent, role)| show_role(*agent, role, send)) }

@@ -1,14 +1,15 @@
 //! What changes in the world: the list, the methods, the history; what can be
 //! changed of an agent.
 
-use giveway_model::change::MAX_DELAY;
-use giveway_model::tr;
-use giveway_page::changing::{self, Choice, Facts, Listed, Past, WIDEST};
+use giveway_model::{Battery, tr};
+use giveway_page::changing::{self, Breakdown, Choice, Facts, Listed, Past, WIDEST};
 use giveway_page::rules::RuleAction;
 use giveway_page::{Action, BoardAction, ChangeAction, Edit, RuleEdit, State, Tool};
 use yew::prelude::*;
 
+use super::breakdown::{BreakdownCard, BreakdownCardProps};
 use crate::field::number;
+use crate::part::part;
 use crate::{Shown, glyph, icon};
 
 /// The button that lets the world change; nothing where it cannot.
@@ -27,7 +28,11 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
 
 /// All there is to tell while nothing is selected.
 pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> Html {
-    let one = |(index, listed): (usize, &Listed)| listed_change(index, listed, send);
+    let cards = &facts.breakdowns;
+    let one = |listed: &Listed| match cards.iter().find(|card| card.index == listed.index) {
+        Some(card) => html! { <li key={listed.index} class="own">{ card_of(card, send) }</li> },
+        None => listed_change(listed.index, listed, send),
+    };
     html! {
         <>
             <header class="qh">
@@ -40,8 +45,9 @@ pub(super) fn show(facts: &Facts, methods: Choice, send: &Callback<Action>) -> H
                 if facts.list.is_empty() {
                     <p class="remark">{ tr!("Use the tools on the board: what they do becomes a change. Select a robot for more.") }</p>
                 } else {
-                    <ul class="changes">{ for facts.list.iter().enumerate().map(one) }</ul>
+                    <ul class="changes">{ for facts.list.iter().map(one) }</ul>
                 }
+                { meets(facts) }
                 if facts.is_compared {
                     <button type="button" class="btn ghost add-change" onclick={send.reform(|_| Action::Board(BoardAction::PickTool(Tool::Obstacle)))}>
                         { icon::show("plus") }{ tr!("Add a change on the board") }
@@ -98,6 +104,31 @@ fn listed_change(index: usize, listed: &Listed, send: &Callback<Action>) -> Html
     }
 }
 
+/// What would go wrong if everyone went on as planned; told as the list changes.
+pub(super) fn meets(facts: &Facts) -> Html {
+    html! {
+        <div role="status">
+            if !facts.warnings.is_empty() {
+                <ul class="meets">{ for facts.warnings.iter().map(|text| html! { <li key={text.clone()}>{ icon::show("warning") }<span>{ text.clone() }</span></li> }) }</ul>
+            }
+        </div>
+    }
+}
+
+/// The button by which the robot selected breaks down; nothing where the world cannot change.
+pub(super) fn breaks_down(state: &State, agent: usize, send: &Callback<Action>) -> Html {
+    let is_here = state.document.mode.changing().is_none() && state.can_change();
+    if !is_here {
+        return html! {};
+    }
+    let time = state.view.playback.time;
+    html! {
+        <button type="button" class="btn outline more" onclick={send.reform(move |_| Action::Change(ChangeAction::BreakDown(agent)))}>
+            { icon::show("stop") }{ tr!("Breaks down here") }<span class="vh">{ tr!(", at time {time}", time) }</span>
+        </button>
+    }
+}
+
 fn choose(methods: Choice, send: &Callback<Action>) -> Html {
     let check = |name: &'static str, what: &'static str, on: bool, with: fn(Choice) -> Choice| {
         let toggle =
@@ -117,14 +148,14 @@ fn choose(methods: Choice, send: &Callback<Action>) -> Html {
     });
     html! {
         <section>
-            <h3>{ tr!("Methods") }</h3>
-            <div class="methods" role="group" aria-label={tr!("Methods")}>
-                { check(tr!("Revise"), tr!("keep paths, change times"), methods.revise, |c| Choice { revise: !c.revise, ..c }) }
+            <h3>{ tr!("Find new plans") }</h3>
+            <div class="methods" role="group" aria-label={tr!("Find new plans")}>
+                { check(tr!("New times"), tr!("everyone keeps their path"), methods.revise, |c| Choice { revise: !c.revise, ..c }) }
                 <div class="with-width">
-                    { check(tr!("Tunnel"), tr!("stay near the old paths"), methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
-                    <div class="fields">{ number(tr!("Width, steps"), Some(methods.width), (0, WIDEST), None, &width) }</div>
+                    { check(tr!("Near the old paths"), tr!("at most so many cells away"), methods.tunnel, |c| Choice { tunnel: !c.tunnel, ..c }) }
+                    <div class="fields">{ number(tr!("Cells away"), Some(methods.width), (0, WIDEST), None, &width) }</div>
                 </div>
-                { check(tr!("Replan"), tr!("plan everything again from here"), methods.replan, |c| Choice { replan: !c.replan, ..c }) }
+                { check(tr!("Everything new"), tr!("everyone plans freely"), methods.replan, |c| Choice { replan: !c.replan, ..c }) }
             </div>
         </section>
     }
@@ -155,7 +186,12 @@ pub(super) fn history(past: &[Past], is_open: bool) -> Html {
 }
 
 /// What can be changed of the agent that is selected.
-pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
+pub(super) fn agent(
+    state: &Shown,
+    index: usize,
+    breakdowns: &[Breakdown],
+    send: &Callback<Action>,
+) -> Html {
     let Some(offers) = changing::offers(state, index) else {
         return html! {};
     };
@@ -168,7 +204,6 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
         })
     };
     let level = list(Edit::SetLevel);
-    let delay = list(Edit::Delay);
     let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
     let waypoint = |&cell: &giveway_model::Cell| {
         let place = format!("({}, {})", cell.x, cell.y);
@@ -188,8 +223,9 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
                     if let Some((value, capacity)) = offers.level {
                         { number(tr!("Set battery"), Some(value), (0, capacity), None, &level) }
                     }
-                    { number(tr!("Delay, steps"), offers.delay, (1, MAX_DELAY), Some(tr!("no delay" => "none")), &delay) }
+                    if let Some(battery) = offers.battery { { joining_battery(index, battery, send) } }
                 </div>
+                { breakdown(&offers, index, breakdowns, send) }
                 if !offers.waypoints.is_empty() {
                     <ul class="removable" aria-label={tr!("Waypoints")}>{ for offers.waypoints.iter().map(waypoint) }</ul>
                 }
@@ -197,6 +233,58 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
             </div>
         </section>
     }
+}
+
+/// The battery of a robot that joins: its capacity, and its level at the start.
+fn joining_battery(index: usize, battery: Option<Battery>, send: &Callback<Action>) -> Html {
+    const MOST: u32 = 1_000_000;
+    let set = |with: fn(Option<Battery>, u32) -> Battery| {
+        send.reform(move |n: Option<u32>| {
+            Action::Edit(Edit::SetBattery(index, n.map(|n| with(battery, n))))
+        })
+    };
+    let capacity = set(|battery, capacity| Battery {
+        capacity,
+        initial: battery.map_or(capacity, |own| own.initial.min(capacity)),
+    });
+    let initial = set(|battery, initial| Battery {
+        capacity: battery.map_or(initial, |own| own.capacity),
+        initial,
+    });
+    html! {
+        <>
+            { number(tr!("Capacity, steps"), battery.map(|own| own.capacity), (1, MOST), Some(tr!("no limit of a battery" => "none")), &capacity) }
+            if let Some(own) = battery { { number(tr!("At the start"), Some(own.initial), (0, own.capacity), None, &initial) } }
+        </>
+    }
+}
+
+/// The card of the robot's breakdown; without one, for how long it is to break down.
+fn breakdown(
+    offers: &changing::Offers,
+    index: usize,
+    breakdowns: &[Breakdown],
+    send: &Callback<Action>,
+) -> Html {
+    if let Some(card) = breakdowns.iter().find(|card| card.agent == index) {
+        return card_of(card, send);
+    }
+    let for_good = send.reform(move |_: MouseEvent| Action::Edit(Edit::Stop(index)));
+    let some = send.reform(move |_: MouseEvent| Action::Change(ChangeAction::BreakDown(index)));
+    html! {
+        <div class="breaks" role="group" aria-label={tr!("Breaks down here")}>
+            <p><b>{ icon::show("stop") }{ tr!("Breaks down here") }</b>
+                if let Some(cell) = offers.place { <span>{ tr!("at {cell}", cell) }</span> }</p>
+            <div class="seg">
+                <button type="button" aria-pressed="false" onclick={some}>{ tr!("For some steps") }</button>
+                <button type="button" aria-pressed="false" disabled={offers.place.is_none()} onclick={for_good}>{ tr!("For good") }</button>
+            </div>
+        </div>
+    }
+}
+
+fn card_of(card: &Breakdown, send: &Callback<Action>) -> Html {
+    html! { { part::<BreakdownCard>(BreakdownCardProps { breakdown: card.clone(), send: send.clone() }) } }
 }
 
 /// What stays at the foot of the inspector.

@@ -77,6 +77,11 @@ pub(super) fn place(title: &'static str, lines: usize) -> Html {
     }
 }
 
+/// Lines where ways to do without will stand.
+pub(super) fn ways(count: u32) -> Html {
+    html! { <>{ for (0..count).map(|_| html! { <li class="could held" aria-hidden="true"></li> }) }</> }
+}
+
 /// Whether anything is held where the table of who pays will stand.
 pub(super) fn rows(held: Held) -> Html {
     let row = |_| html! { <tr class="held"><th></th><td></td><td></td><td></td></tr> };

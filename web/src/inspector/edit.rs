@@ -1,13 +1,20 @@
 //! What is edited beside the board: an agent, or the scene as a whole.
 
+use giveway_model::constraint::Heading;
 use giveway_model::words::Later;
 use giveway_model::{Agent, Battery, tr};
+use giveway_page::board::quarter;
+use giveway_page::grow::GrowAction;
+use giveway_page::robots::RobotsAction;
 use giveway_page::{
-    Action, BoardAction, COLOURS, DENSEST, Edit, Fill, MAX_AGENTS, MAX_SIDE, Phase, Problem,
+    Action, BoardAction, COLOURS, DENSEST, Edit, Fill, Fold, MAX_AGENTS, MAX_SIDE, Phase, Problem,
     Selection, ViewAction,
 };
+use web_sys::Element;
 use yew::prelude::*;
 
+use super::floor_plan;
+use super::units::units;
 use crate::field::FieldProps;
 use crate::field::{Field, number};
 use crate::part::part;
@@ -42,8 +49,9 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
     let remove = send.reform(move |_: MouseEvent| Action::Edit(Edit::RemoveAgent(index)));
     let body = html! {
         <>
-            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (agent.name.clone()).into(), on_change: edit(Edit::Rename), empty: None, range: None }) }
+            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (agent.name.clone()).into(), on_change: edit(Edit::Rename), empty: None, range: None, is_measure: false }) }
             { colour(state, index, send) }
+            { faces(state, agent, index, send) }
             { battery(agent, index, send) }
             if !agent.waypoints.is_empty() {
                 <ul class="removable" aria-label={tr!("Waypoints")}>
@@ -53,7 +61,7 @@ pub(super) fn agent(state: &Shown, index: usize, send: &Callback<Action>) -> Htm
             <button type="button" class="btn outline" onclick={remove}>{ tr!("Delete robot") }</button>
         </>
     };
-    section(state, tr!("Edit robot"), body)
+    section(state, Fold::Robot, tr!("Edit robot"), body, send)
 }
 
 /// The colours to choose from; the form stays, so that no two look the same.
@@ -72,6 +80,30 @@ fn colour(state: &Shown, index: usize, send: &Callback<Action>) -> Html {
         <div class="swatches" role="radiogroup" aria-label={tr!("Colour")}>
             { for COLOURS.iter().enumerate().map(swatch) }
         </div>
+    }
+}
+
+/// Where it faces at its start, where turns take time.
+fn faces(state: &Shown, agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
+    if quarter(state.document.draft.scene(), agent) == 0 {
+        return Html::default();
+    }
+    let button = |name: &'static str, heading: Option<Heading>| {
+        let press = send.reform(move |_: MouseEvent| Action::Edit(Edit::Face(index, heading)));
+        let is_on = agent.heading == heading;
+        html! { <button type="button" aria-pressed={is_on.to_string()} onclick={press}>{ name }</button> }
+    };
+    html! {
+        <>
+            <p class="label" id="faces">{ tr!("Faces at its start") }</p>
+            <div class="seg full" role="group" aria-labelledby="faces">
+                { button(tr!("a robot faces" => "Any"), None) }
+                { button(tr!("Up"), Some(Heading::North)) }
+                { button(tr!("Right"), Some(Heading::East)) }
+                { button(tr!("Down"), Some(Heading::South)) }
+                { button(tr!("Left"), Some(Heading::West)) }
+            </div>
+        </>
     }
 }
 
@@ -120,9 +152,10 @@ fn battery(agent: &Agent, index: usize, send: &Callback<Action>) -> Html {
 pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     let grid = state.document.draft.grid();
     let (width, height) = (grid.width(), grid.height());
-    let side = |make: fn(u32, u32, u32) -> Edit| {
-        send.reform(move |n: Option<u32>| Action::Edit(make(n.unwrap_or(1), width, height)))
+    let side = |make: fn(u32, u32, u32) -> GrowAction| {
+        send.reform(move |n: Option<u32>| Action::Grow(make(n.unwrap_or(1), width, height)))
     };
+    let open = send.reform(|_: MouseEvent| Action::Grow(GrowAction::Open));
     let fill = state.settings.fill;
     let set = |make: fn(u32, Fill) -> Fill| {
         send.reform(move |n: Option<u32>| {
@@ -136,11 +169,19 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
     let most = MAX_AGENTS as u32;
     let body = html! {
         <>
-            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (state.document.draft.scene().name.clone()).into(), on_change: rename, empty: None, range: None }) }
+            { part::<Field>(FieldProps { label: (tr!("Name")).into(), value: (state.document.draft.scene().name.clone()).into(), on_change: rename, empty: None, range: None, is_measure: false }) }
             <div class="fields">
-                { number(tr!("Width, cells"), Some(width), sides, None, &side(|n, _, height| Edit::Resize(n, height))) }
-                { number(tr!("Height, cells"), Some(height), sides, None, &side(|n, width, _| Edit::Resize(width, n))) }
+                { number(tr!("Width, cells"), Some(width), sides, None, &side(|n, _, height| GrowAction::To(n, height))) }
+                { number(tr!("Height, cells"), Some(height), sides, None, &side(|n, width, _| GrowAction::To(width, n))) }
             </div>
+            { units(state, send) }
+            { floor_plan::beside(state, send) }
+            if state.can_grow() {
+                <button type="button" class="btn outline" onclick={open}>{ icon::show("grow") }{ tr!("Rows and columns at any side") }</button>
+            }
+            if state.can_show_robots() && !state.shows_robots() {
+                <button type="button" class="btn outline" onclick={send.reform(|_: MouseEvent| Action::Robots(RobotsAction::Show(true)))}>{ icon::show("table") }{ tr!("Robots as a table") }</button>
+            }
             <h3>{ tr!("Random scene") }</h3>
             <div class="fields">
                 { number(tr!("Obstacles, %"), Some(fill.obstacles), (0, DENSEST), None, &set(|obstacles, fill| Fill { obstacles, ..fill })) }
@@ -153,15 +194,31 @@ pub(super) fn whole(state: &Shown, send: &Callback<Action>) -> Html {
             </div>
         </>
     };
-    section(state, tr!("Edit scene"), body)
+    section(state, Fold::Scene, tr!("Edit scene"), body, send)
 }
 
-/// Open while a scene without a plan is edited, else a line that opens it: nothing moves when
-/// something beside it changes the scene.
-fn section(state: &Shown, title: &'static str, body: Html) -> Html {
-    let is_open = state.phase() == Phase::Editing && state.document.answer.is_none();
+/// Open while a scene without a plan is edited, else a line that opens it. Once open it stays so
+/// until a person folds it: nothing moves when something beside it changes the scene.
+fn section(
+    state: &Shown,
+    fold: Fold,
+    title: &'static str,
+    body: Html,
+    send: &Callback<Action>,
+) -> Html {
+    let is_new = state.phase() == Phase::Editing && state.document.answer.is_none();
+    let is_open = state.view.folds.of(fold).unwrap_or(is_new);
+    // The browser folds by itself, too, when words in it are looked for.
+    let send = send.clone();
+    let ontoggle = move |event: Event| {
+        let details = event.target_dyn_into::<Element>();
+        let now = details.is_some_and(|details| details.has_attribute("open"));
+        if now != is_open || is_new {
+            send.emit(Action::View(ViewAction::Unfold(fold, now)));
+        }
+    };
     html! {
-        <details class="edit" open={is_open}>
+        <details class="edit" open={is_open} {ontoggle}>
             <summary>{ title }</summary>
             <div class="edit-body">{ body }</div>
         </details>

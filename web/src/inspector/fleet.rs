@@ -1,16 +1,17 @@
 //! Robots that are to come onto the board at once: a sentence with numbers in it.
 
 use giveway_model::tr;
+use giveway_page::Action;
 use giveway_page::fleet::{Card, FleetAction, MOST, MOST_WAYPOINTS};
-use giveway_page::{Action, number};
-use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
+use crate::field::slot;
 use crate::icon;
 
 /// The largest battery that is typed.
 const LARGEST: u32 = 9_999;
 
+#[inline(never)]
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     let level = card.battery.map(|battery| battery.initial);
     let capacity = card.battery.map(|battery| battery.capacity);
@@ -20,7 +21,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             <header class="ih"><span class="cellsw">{ icon::show("many") }</span><div><h2>{ tr!("Several robots") }</h2></div></header>
             <section class="fleet" role="group" aria-label={tr!("Several robots")}>
                 <p>
-                    { field(tr!("How many"), Some(card.count), (1, MOST), send, FleetAction::Count) }
+                    { slot(tr!("How many"), Some(card.count), (1, MOST), say_number(send, FleetAction::Count)) }
                     { tr!("several robots" => "robots along") }{ " " }<b>{ card.starts.clone() }</b>
                 </p>
                 <p>{ tr!("several robots" => "goals along") }{ " " }<b>{ card.goals.clone().unwrap_or_else(|| "\u{2026}".to_owned()) }</b></p>
@@ -30,7 +31,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     </button>
                 </p>
                 <p>
-                    { field(tr!("Waypoints of each"), Some(card.waypoints), (0, MOST_WAYPOINTS), send, |each| FleetAction::Waypoints(each.unwrap_or(0))) }
+                    { slot(tr!("Waypoints of each"), Some(card.waypoints), (0, MOST_WAYPOINTS), say_number(send, |each| FleetAction::Waypoints(each.unwrap_or(0)))) }
                     { tr!("several robots" => "waypoints each, at random beside obstacles") }
                     if card.waypoints > 0 {
                         <button type="button" class="btn outline" onclick={say(FleetAction::DrawAgain)}>{ tr!("Draw again") }</button>
@@ -38,11 +39,10 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 </p>
                 <p>
                     { tr!("several robots" => "battery") }{ " " }
-                    { field(tr!("Battery, steps"), capacity, (1, LARGEST), send, FleetAction::Battery) }
-                    if let Some(capacity) = capacity {
-                        { tr!("several robots" => "starting at") }{ " " }
-                        { field(tr!("Level at the start"), level, (0, capacity), send, move |level| FleetAction::Level(level.unwrap_or(capacity))) }
-                    }
+                    { slot(tr!("Battery, steps"), capacity, (1, LARGEST), say_number(send, FleetAction::Battery)) }
+                    // It is there before there is a battery, so that Tab goes from one to the other.
+                    { tr!("several robots" => "starting at") }{ " " }
+                    { slot(tr!("Level at the start"), level, (0, capacity.unwrap_or(LARGEST)), say_number(send, move |level| FleetAction::Level(level.or(capacity).unwrap_or(LARGEST)))) }
                 </p>
                 <p class="remark" role="status">{ card.told.clone() }</p>
             </section>
@@ -50,9 +50,10 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     }
 }
 
+#[inline(never)]
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     html! {
-        <div class="foot">
+        <div class="foot making">
             if let Some(add) = &card.add {
                 <button type="button" class="btn primary" onclick={act(send, FleetAction::Add)}>{ add.clone() }</button>
             }
@@ -65,28 +66,10 @@ fn act(send: &Callback<Action>, action: FleetAction) -> Callback<MouseEvent> {
     send.reform(move |_| Action::Fleet(action))
 }
 
-/// A number in the sentence; an empty field is none.
-fn field(
-    name: &'static str,
-    value: Option<u32>,
-    range: (u32, u32),
+/// What is done with a number that was typed.
+fn say_number(
     send: &Callback<Action>,
     action: impl Fn(Option<u32>) -> FleetAction + 'static,
-) -> Html {
-    let shown = value.map(|n| n.to_string()).unwrap_or_default();
-    let (send, before) = (send.clone(), shown.clone());
-    let onchange = Callback::from(move |event: Event| {
-        let input: HtmlInputElement = event.target_unchecked_into();
-        let typed = input.value();
-        let number = number::read(&typed, range);
-        if number.is_some() || typed.trim().is_empty() {
-            send.emit(Action::Fleet(action(number)));
-        } else {
-            input.set_value(&before);
-        }
-    });
-    html! {
-        <input class="num1" type="text" inputmode="numeric" autocomplete="off" aria-label={name}
-            title={number::possible(range)} placeholder={tr!("several robots" => "none")} value={shown} {onchange} />
-    }
+) -> Callback<Option<u32>> {
+    send.reform(move |number| Action::Fleet(action(number)))
 }

@@ -12,6 +12,7 @@ use super::proof;
 use crate::{glyph, icon};
 
 /// What is told of the plan as a whole.
+#[inline(never)]
 pub(super) fn show(column: &Column, save: Html, is_wide: bool, send: &Callback<Action>) -> Html {
     html! {
         <div class="freedom-told">
@@ -140,6 +141,7 @@ fn other(other: &Other, is_wide: bool, send: &Callback<Action>) -> Html {
 }
 
 /// What begins it, at a plan that is proved a best one.
+#[inline(never)]
 pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     if chip(state) != Chip::Ready {
         return Html::default();

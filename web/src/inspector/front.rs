@@ -5,11 +5,14 @@ use giveway_page::front::Plot;
 use giveway_page::{Action, SolveAction, State};
 use yew::prelude::*;
 
-/// Left of the points and above them: room for their halves and the numbers.
-const LEFT: u32 = 40;
+/// Above the points: room for their halves and the title.
 const TOP: u32 = 34;
+/// Left of the points: room for their halves, and for a digit of the numbers.
+const LEFT: u32 = 24;
+const DIGIT: u32 = 8;
 
 /// The front of the scene on the board, where one was found.
+#[inline(never)]
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     let Some(front) = state
         .document
@@ -42,28 +45,29 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
 /// The picture: what its points are is said by the buttons below it.
 fn plot(plot: &Plot, chosen: Option<usize>, send: &Callback<Action>) -> Html {
     let (width, height) = Plot::ROOM;
-    let (right, bottom) = (LEFT + width, TOP + height);
+    let [least, most] = plot.across;
+    let [low, high] = plot.up;
+    let left = LEFT + DIGIT * (high.max(1).ilog10() + 1);
+    let (right, bottom) = (left + width, TOP + height);
     let point = |(at, &(x, y)): (usize, &(u32, u32))| {
         let class = classes!("pt", (chosen == Some(at)).then_some("on"));
         html! {
-            <circle {class} cx={(LEFT + x).to_string()} cy={(TOP + y).to_string()} r="7"
+            <circle {class} cx={(left + x).to_string()} cy={(TOP + y).to_string()} r="7"
                 onclick={send.reform(move |_| Action::Solve(SolveAction::ShowPoint(at)))} />
         }
     };
     let text = |x: u32, y: u32, anchor: &'static str, text: String| {
         html! { <text x={x.to_string()} y={y.to_string()} text-anchor={anchor}>{ text }</text> }
     };
-    let [least, most] = plot.across;
-    let [low, high] = plot.up;
     html! {
         <svg class="plot" viewBox={format!("0 0 {} {}", right + 20, bottom + 36)} aria-hidden="true">
-            <path d={format!("M{0} {TOP}V{1}H{right}", LEFT - 14, bottom + 10)} />
-            { text(LEFT - 20, bottom + 4, "end", low.to_string()) }
-            if high > low { { text(LEFT - 20, TOP + 4, "end", high.to_string()) } }
-            { text(LEFT, bottom + 26, "middle", least.to_string()) }
+            <path d={format!("M{0} {TOP}V{1}H{right}", left - 14, bottom + 10)} />
+            { text(left - 20, bottom + 4, "end", low.to_string()) }
+            if high > low { { text(left - 20, TOP + 4, "end", high.to_string()) } }
+            { text(left, bottom + 26, "middle", least.to_string()) }
             if most > least { { text(right, bottom + 26, "middle", most.to_string()) } }
-            { text(LEFT + width / 2, bottom + 26, "middle", plot.titles[0].to_owned()) }
-            { text(LEFT - 20, TOP - 22, "start", plot.titles[1].to_owned()) }
+            { text(left + width / 2, bottom + 26, "middle", plot.titles[0].to_owned()) }
+            { text(2, TOP - 22, "start", plot.titles[1].to_owned()) }
             { for plot.points.iter().enumerate().map(point) }
         </svg>
     }

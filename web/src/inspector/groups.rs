@@ -2,12 +2,14 @@
 
 use giveway_model::tr;
 use giveway_page::ask::{FactRow, Facts, GroupMark, GroupRow};
+use giveway_page::rules::RuleAction;
 use giveway_page::{Action, AskAction};
 use yew::prelude::*;
 
 use crate::icon;
 
 /// The groups, and the facts of the one that is open.
+#[inline(never)]
 pub(super) fn show(facts: &Facts, send: &Callback<Action>) -> Html {
     html! { <ol class="groups">{ for facts.groups.iter().map(|group| one(group, &facts.facts, send)) }</ol> }
 }
@@ -34,7 +36,18 @@ fn one(group: &GroupRow, facts: &[FactRow], send: &Callback<Action>) -> Html {
                 <span>{ group.title.clone() }if let Some(price) = &group.price { <small>{ price.clone() }</small> }</span>
                 <em class={class}>{ mark }</em>
             </button>
+            { for group.facts.iter().filter_map(|&fact| loosens(facts.get(fact)?, send)).take(1) }
             if group.is_open { <ul>{ for group.facts.iter().filter_map(fact) }</ul> }
         </li>
     }
+}
+
+/// What looks for the least by which a rule is to be loosened, beside the fact that it is.
+pub(super) fn loosens(fact: &FactRow, send: &Callback<Action>) -> Option<Html> {
+    let rule = fact.loosens?;
+    let press = send.reform(move |_| Action::Rules(RuleAction::Loosen(rule)));
+    Some(html! {
+        <button type="button" class="link loosens" aria-label={tr!("Loosen: {rule}", rule = fact.text)}
+            title={tr!("Find the least that helps")} onclick={press}>{ tr!("Loosen") }</button>
+    })
 }

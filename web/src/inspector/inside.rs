@@ -8,6 +8,7 @@ use yew::prelude::*;
 use crate::{Shown, glyph, icon};
 
 /// What scrolls of it.
+#[inline(never)]
 pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> Html {
     let export = {
         let state = state.clone();
@@ -143,6 +144,7 @@ fn table(listed: &Listed) -> Html {
 }
 
 /// What stays at its foot.
+#[inline(never)]
 pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
     if column.foot.is_empty() {
         return html! {};

@@ -15,6 +15,7 @@ fn act(action: LedgerAction, send: &Callback<Action>) -> Callback<MouseEvent> {
 }
 
 /// The question among those about the plan.
+#[inline(never)]
 pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     if !is_offered(state) {
         return Html::default();
@@ -31,6 +32,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
 }
 
 /// What scrolls of it.
+#[inline(never)]
 pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
     let turn = |is_turned: bool, title: &'static str| {
         html! {
@@ -69,6 +71,7 @@ pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
 }
 
 /// What stays at the foot of it: the question about the largest loss.
+#[inline(never)]
 pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">
@@ -166,7 +169,7 @@ fn head([who, steps, because]: [&'static str; 3]) -> Html {
 
 fn all(column: &Column) -> Html {
     html! {
-        <tr class="sum"><th scope="row">{ tr!("steps lost" => "All") }</th><td>{ column.all }</td><td class="because">{ column.unharmed.clone() }</td></tr>
+        <tr class="sum"><th scope="row">{ tr!("steps lost" => "All") }</th><td>{ column.all }</td><td class="because">{ if column.is_turned { column.harmless.clone() } else { column.unharmed.clone() } }</td></tr>
     }
 }
 

@@ -3,25 +3,32 @@
 
 mod agent;
 mod answer;
+mod area;
 mod audit;
+mod breakdown;
 mod cell;
 mod change;
 mod coming;
 mod edit;
 mod fleet;
+mod floor_plan;
 mod freedom;
 mod front;
 mod groups;
+mod grow;
 mod inside;
 mod ledger;
+mod order;
 mod pays;
 mod planners;
 mod proof;
 mod questions;
 mod rule_card;
 mod rules;
+mod sizing;
 mod slot_editor;
 mod steer;
+mod units;
 mod whole;
 
 use giveway_model::tr;
@@ -65,18 +72,33 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
     let losses = giveway_page::ledger::column(state);
     let losses = losses.filter(|_| state.view.selection == Selection::Nothing);
+    let order = giveway_page::order::column(state);
+    let order = order.filter(|_| state.view.selection == Selection::Nothing);
     // Without a plan that has lanes a phone has no tabs: this place is all there is.
     let has_lanes = state.plan().is_some() && state.awaited().is_none();
     let alone = (!has_lanes && !state.is_inside()).then_some("alone");
+    // What is told of another robot or cell is read from its beginning.
+    use_effect_with((state.view.selection, led), |_| to_top());
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label={tr!("Inspector")}>
             if let Some(column) = step {
                 // Where no button is in it, the keyboard scrolls the place itself.
                 <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
                 { inside::foot(&column, send) }
+            } else if let Some(card) = giveway_page::sizing::card(state) {
+                <div class="scroll" key="sizing">{ sizing::show(&card, send) }</div>
+                { sizing::foot(&card, send) }
             } else if let Some(card) = giveway_page::fleet::card(state) {
                 <div class="scroll" key="fleet">{ fleet::show(&card, send) }</div>
                 { fleet::foot(&card, send) }
+            } else if let Some(card) = giveway_page::floor_plan::card(state) {
+                <div class="scroll" key="floor plan">{ floor_plan::show(&card, send) }</div>
+                { floor_plan::foot(&card, send) }
+            } else if let Some(card) = giveway_page::grow::card(state) {
+                <div class="scroll" key="grow">{ grow::show(&card, send) }</div>
+                { grow::foot(&card, send) }
+            } else if let Some(card) = giveway_page::area::card(state) {
+                <div class="scroll" key="area">{ area::show(&card) }{ grow::lines(state, send) }</div>
             } else if let Some(card) = giveway_page::rules::card(state) {
                 <div class="scroll" key="rule">{ rule_card::show(&card, send) }</div>
                 { rule_card::foot(&card, send) }
@@ -86,6 +108,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
             } else if let Some(column) = losses {
                 <div class="scroll" key="ledger">{ ledger::show(&column, send) }</div>
                 { ledger::foot(&column, send) }
+            } else if let Some(column) = order {
+                <div class="scroll" key="order">{ order::show(&column, send) }</div>
+                { order::foot(&column, send) }
             } else if let Some(facts) = &elsewhere {
                 <div class="scroll" key={format!("audit {}", facts.file)}>
                     { audit::show(facts, giveway_page::audit::conflicts(state).as_ref(), &opened, send) }
@@ -97,9 +122,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                     { content(state, send) }
                     { rules::begin(state, send) }
                     { steer::begin(state, send) }
+                    { state.selected_agent().map(|agent| change::breaks_down(state, agent, send)) }
                     { change::begin(state, send) }
                     { questions::show(&questions(state, false), send) }
-                    { rules::question(state, send) }
                     if let Some(why) = ask::no_offers(state) {
                         <p class="remark">{ why }</p>
                     }
@@ -108,6 +133,13 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 if state.document.mode.steering().is_some() { { steer::foot(send) } }
             }
         </aside>
+    }
+}
+
+fn to_top() {
+    let scroll = gloo::utils::document().query_selector("#inspector > .scroll");
+    if let Ok(Some(scroll)) = scroll {
+        scroll.set_scroll_top(0);
     }
 }
 
@@ -124,6 +156,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
                 <>
                     { agent::show(state, &facts, send) }
                     { questions::show(&questions(state, true), send) }
+                    { rules::question(state, send) }
                     { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
@@ -136,6 +169,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { cell::show(state, &facts, send) }
+                    { rules::question(state, send) }
                     { freedom::part(state, send) }
                     { edit::problems(state, send, |problem| problem.cell == Some(cell)) }
                 </>
@@ -167,7 +201,8 @@ fn while_changing(state: &Shown, facts: &changing::Facts, send: &Callback<Action
             Some(about) => html! {
                 <>
                     { agent::show(state, &about, send) }
-                    { change::agent(state, index, send) }
+                    { change::agent(state, index, &facts.breakdowns, send) }
+                    { change::meets(facts) }
                 </>
             },
             None => all(),

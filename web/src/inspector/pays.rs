@@ -64,7 +64,7 @@ fn piece(piece: &Piece, send: &Callback<Action>) -> Html {
 }
 
 /// What could be done instead: pressing a row makes it the other plan.
-pub(super) fn it_could(could: &[CouldRow], send: &Callback<Action>) -> Html {
+pub(super) fn it_could(could: &[CouldRow], held: Html, send: &Callback<Action>) -> Html {
     let row = |row: &CouldRow| {
         let chosen = (!row.is_chosen).then_some(row.index);
         html! {
@@ -79,7 +79,7 @@ pub(super) fn it_could(could: &[CouldRow], send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ tr!("It could") }</h3>
-            <ul class="repairs">{ for could.iter().map(row) }</ul>
+            <ul class="repairs">{ for could.iter().map(row) }{ held }</ul>
         </section>
     }
 }

@@ -8,6 +8,7 @@ use yew::prelude::*;
 use crate::icon;
 
 /// The table; nothing where no planner planned this scene.
+#[inline(never)]
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
     let Some(table) = table(state) else {
         return Html::default();

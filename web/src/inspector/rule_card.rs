@@ -16,6 +16,7 @@ use crate::field::{Field, FieldProps};
 use crate::part::part;
 use crate::{glyph, icon};
 
+#[inline(never)]
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     html! {
         <>
@@ -72,7 +73,7 @@ fn head(card: &Card, send: &Callback<Action>) -> Html {
             { back(send) }<h2 class="vh">{ title }</h2>
             <span class="cellsw zone-sign">{ icon::show("zone") }</span>
             <div class="zone-field">
-                { part::<Field>(FieldProps { label: tr!("Name of the zone").into(), value: zone.clone().into(), on_change: rename, empty: None, range: None }) }
+                { part::<Field>(FieldProps { label: tr!("Name of the zone").into(), value: zone.clone().into(), on_change: rename, empty: None, range: None, is_measure: false }) }
                 <p>{ card.place.clone() }</p>
             </div>
             <button type="button" class="btn ghost round" title={tr!("Delete the zone")} aria-label={tr!("Delete the zone")} onclick={remove}>{ icon::show("erase") }</button>
@@ -177,7 +178,7 @@ fn counts(card: &Card) -> Html {
 /// What the plan is under the rule.
 fn judged(judged: &Judged) -> Html {
     let (class, icon) = match judged.ruling {
-        Ruling::Keeps => ("fine", "check"),
+        Ruling::Keeps | Ruling::InForce => ("fine", "check"),
         Ruling::Breaks => ("would", "warning"),
         Ruling::Fault | Ruling::Never => ("fault", "warning"),
         Ruling::Open => ("open", "info"),
@@ -225,7 +226,7 @@ fn in_words(card: &Card, send: &Callback<Action>) -> Html {
         <details class="edit">
             <summary>{ tr!("Write it in words") }</summary>
             <div class="edit-body">
-                { part::<Field>(FieldProps { label: tr!("The rule, in English").into(), value: card.sentence.clone().into(), on_change: read, empty: None, range: None }) }
+                { part::<Field>(FieldProps { label: tr!("The rule, in English").into(), value: card.words.clone().into(), on_change: read, empty: None, range: None, is_measure: false }) }
                 if let Some(misread) = &card.misread { <small class="possible" role="status">{ misread.clone() }</small> }
             </div>
         </details>
@@ -233,6 +234,7 @@ fn in_words(card: &Card, send: &Callback<Action>) -> Html {
 }
 
 /// What stays at the foot of the inspector.
+#[inline(never)]
 pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let (icon, words) = if card.is_edited {
         ("check", tr!("Change the rule"))
@@ -244,18 +246,19 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
         send_it.emit(event);
         super::show_rules();
     });
+    let is_off = matches!(card.judged.ruling, Ruling::Fault | Ruling::InForce);
     if card.asks {
         return html! {
-            <footer class="foot">
-                <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={act(send, || RuleAction::Ask)}>{ icon::show("question") }<span>{ tr!("Ask") }</span></button>
-                <button type="button" class="btn outline" disabled={card.judged.ruling == Ruling::Fault} onclick={add}>{ tr!("Make it a rule") }</button>
+            <footer class="foot making">
+                <button type="button" class="btn primary" disabled={is_off} onclick={act(send, || RuleAction::Ask)}>{ icon::show("question") }<span>{ tr!("Ask") }</span></button>
+                <button type="button" class="btn outline" disabled={is_off} onclick={add}>{ tr!("Make it a rule") }</button>
                 <button type="button" class="btn ghost" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
             </footer>
         };
     }
     html! {
-        <footer class="foot">
-            <button type="button" class="btn primary" disabled={card.judged.ruling == Ruling::Fault} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>
+        <footer class="foot making">
+            <button type="button" class="btn primary" disabled={is_off} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>
             <button type="button" class="btn outline" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
         </footer>
     }

@@ -1,11 +1,16 @@
 //! The rules: those of the problem as sentences, those of the scene with price and switch.
 
 use giveway_model::tr;
-use giveway_page::rules::{Lit, Piece, ProblemRule, Row, RuleAction, Tag, list};
+use giveway_page::rules::{
+    Lit, LooserPart, LooserRow, Piece, ProblemRule, Row, RuleAction, Tag, list,
+};
 use giveway_page::{Action, Selection, State};
 use yew::prelude::*;
 
 use crate::icon;
+use crate::keys::is_in;
+use crate::part::part;
+use crate::turning::{Turning, TurningProps, turning};
 
 /// The section; nothing while something else is done with the scene.
 pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
@@ -36,6 +41,9 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
                 <p class="remark">{ tr!("To limit a place, pick the tool Zone and mark its cells. To lead robots one way, pick One-way.") }</p>
             } else {
                 <ul class="own-rules" aria-label={tr!("Of this scene")}>{ for list.rows.iter().map(|row| rule(row, send)) }</ul>
+            }
+            if !list.changed.is_empty() {
+                <ul class="changed-rules" aria-label={tr!("Since the world changed")}>{ for list.changed.iter().map(|rule| html! { <li>{ icon::show("clock") }<span>{ rule.clone() }</span></li> }) }</ul>
             }
             if !list.zones.is_empty() {
                 <p class="zones">{ tr!("Zones") }{ " " }{ for list.zones.iter().map(own) }</p>
@@ -91,8 +99,22 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
         _ => row.sentence.clone(),
     };
     let switch = tr!("{rule}: in force", rule = row.sentence);
+    let label = match &row.broken {
+        Some(broken) => format!("{label}, {broken}"),
+        None => label,
+    };
+    // With the mouse the whole sentence opens it, but for the zone in it, which opens itself.
+    let opens = {
+        let open = act(send, move || RuleAction::Open(index));
+        Callback::from(move |event: MouseEvent| {
+            if !is_in(&event, "button") {
+                open.emit(event);
+            }
+        })
+    };
     let class = classes!(
         "rule",
+        row.broken.as_ref().map(|_| "broken"),
         row.is_lit.then_some("lit"),
         (!row.is_on).then_some("off")
     );
@@ -102,7 +124,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
             onmouseleave={send.reform(move |_| light(false))}>
             <button type="button" class="rule-icon" aria-expanded={row.is_open.to_string()} aria-label={tr!("{rule}: show and open", rule = row.sentence)}
                 onclick={act(send, move || RuleAction::Open(index))}>{ icon::show(row.icon) }</button>
-            <p class="rule-text">{ for row.pieces.iter().map(piece) }
+            <p class="rule-text" onclick={opens}>{ for row.pieces.iter().map(piece) }
                 if let Some(name) = &row.name { <small>{ name.clone() }</small> }
             </p>
             <label class="switch" title={tr!("In force")}>
@@ -110,7 +132,12 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
                     onchange={send.reform(move |_: Event| Action::Rules(RuleAction::Switch(index)))} /><i></i>
             </label>
             <p class="rule-price">
-                if let Some(price) = &row.price { { tag(price) } }
+                if let Some(price) = &row.price {
+                    { tag(price) }
+                    if let Some(of) = price.of { <small>{ tr!("a price" => "of the {cost}", cost = of) }</small> }
+                } else if let Some(broken) = &row.broken {
+                    <span class="rule-tag broken">{ icon::show("collision") }{ broken.clone() }</span>
+                }
             </p>
             if row.is_open { { open(row, send) } }
         </div></li>
@@ -134,17 +161,19 @@ fn tag(price: &Tag) -> Html {
 fn open(row: &Row, send: &Callback<Action>) -> Html {
     let index = row.index;
     let without = row.price.as_ref().and_then(|price| price.without.clone());
+    let worth = row.price.as_ref().and_then(|price| price.worth.clone());
+    let worth = worth.unwrap_or_else(|| tr!("Show that plan beside").to_owned());
     html! {
         <div class="rule-more">
             if let Some(without) = without { <p>{ without }</p> }
             if row.price.as_ref().is_some_and(|price| price.has_plan) {
-                { button("compare", tr!("Show that plan beside"), Some(row.is_beside), {
+                { button("compare", worth, Some(row.is_beside), {
                     let beside = row.is_beside;
                     act(send, move || RuleAction::Without((!beside).then_some(index)))
                 }) }
             }
             { button("edit", tr!("Edit"), None, act(send, move || RuleAction::Edit(index))) }
-            if row.can_loosen { { button("plus", tr!("Loosen"), None, act(send, move || RuleAction::Loosen(index))) } }
+            { loosen(row, send) }
             if !row.is_on { { button("question", tr!("What would it cost?"), None, act(send, move || RuleAction::AskAbout(index))) } }
             { button("erase", tr!("Remove"), None, act(send, move || RuleAction::Remove(index))) }
         </div>
@@ -153,12 +182,59 @@ fn open(row: &Row, send: &Callback<Action>) -> Html {
 
 fn button(
     icon: &'static str,
-    words: &'static str,
+    words: impl Into<AttrValue>,
     is_on: Option<bool>,
     onclick: Callback<MouseEvent>,
 ) -> Html {
     let pressed = is_on.map(|is_on| is_on.to_string());
-    html! { <button type="button" class="btn outline" aria-pressed={pressed} {onclick}>{ icon::show(icon) }{ words }</button> }
+    html! { <button type="button" class="btn outline" aria-pressed={pressed} {onclick}>{ icon::show(icon) }{ words.into() }</button> }
+}
+
+/// A button whose word changes when a search ends.
+fn changing(icon: &'static str, word: &'static str, onclick: Callback<MouseEvent>) -> Html {
+    let content = html! { <>{ icon::show(icon) }{ word }</> };
+    turning("outline", word, content, onclick)
+}
+
+/// The button that looks for the least that helps, and what came of it.
+fn loosen(row: &Row, send: &Callback<Action>) -> Html {
+    let index = row.index;
+    let is_looking = row.looser.as_ref().is_some_and(|part| part.is_looking);
+    let press = act(send, move || RuleAction::Loosen(index));
+    let found = |part: &LooserPart| {
+        let one = |(place, looser): (usize, &LooserRow)| {
+            html! {
+                <li><button type="button" class="repair" title={tr!("Put this rule in its place")} onclick={act(send, move || RuleAction::TakeLooser(place))}>
+                    { icon::show("loosen") }
+                    <span>{ looser.sentence.clone() }<small>{ looser.costs.clone() }
+                        if let Some(open) = looser.open { { " " }{ open } }
+                        if looser.is_proved { { icon::show("proved") } }
+                    </small></span>
+                    if let Some(saves) = &looser.saves { <em class="better">{ saves.clone() }</em> }
+                </button></li>
+            }
+        };
+        html! {
+            <div class="looser" role="status">
+                if part.is_looking && part.looser.is_empty() { <p>{ tr!("Looking for the least that helps …") }</p> }
+                if !part.looser.is_empty() {
+                    <p>{ tr!("The least that helps") }</p>
+                    <ul class="repairs">{ for part.looser.iter().enumerate().map(one) }</ul>
+                }
+                if let Some(nothing) = part.nothing { <p>{ nothing }</p> }
+            </div>
+        }
+    };
+    html! {
+        <>
+            if is_looking {
+                { changing("stop", tr!("Stop looking"), press) }
+            } else if row.can_loosen {
+                { changing("loosen", tr!("Loosen"), press) }
+            }
+            { for row.looser.as_ref().map(found) }
+        </>
+    }
 }
 
 /// The entry `Why not a plan in which ...?`, below the questions about a plan.
@@ -183,13 +259,23 @@ fn ask(asking: Option<(u32, u32)>, send: &Callback<Action>) -> Html {
             of
         )
     });
-    html! {
-        <button type="button" class="btn outline ask-price" aria-label={label} {onclick}>
+    let content = html! {
+        <>
             { icon::show("price") }<span>{ tr!("What do the rules cost?") }</span>
             if let Some((known, of)) = asking {
                 <small>{ tr!("{known} of {of}", known, of) }</small>{ icon::show("stop") }
                 <progress aria-hidden="true" max={of.to_string()} value={known.to_string()}></progress>
             }
-        </button>
-    }
+        </>
+    };
+    part::<Turning>(TurningProps {
+        meaning: if asking.is_some() { "stop" } else { "ask" }.into(),
+        class: classes!("btn", "outline", "ask-price"),
+        title: None,
+        label: label.map(AttrValue::from),
+        is_off: false,
+        is_toggle: false,
+        content,
+        onclick,
+    })
 }

@@ -3,6 +3,7 @@
 
 use giveway_model::tr;
 use giveway_page::ask::Happening;
+use giveway_page::rules::RuleAction;
 use giveway_page::steering::{Facts, Lead, facts};
 use giveway_page::{Action, PlayAction, Selection, State};
 use yew::prelude::*;
@@ -12,6 +13,7 @@ use crate::{Shown, glyph, icon};
 
 /// The button that begins to lead the agent that is selected; nothing where it
 /// cannot be led.
+#[inline(never)]
 pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
     let Some(agent) = state.can_steer() else {
         return html! {};
@@ -37,6 +39,7 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
 }
 
 /// What there is to tell while an agent is led; nothing otherwise.
+#[inline(never)]
 pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Option<Html> {
     let facts = facts(state)?;
     let other = match state.view.selection {
@@ -66,6 +69,12 @@ fn led(state: &State, facts: &Facts, send: &Callback<Action>) -> Html {
                     <p class="remark">{ tr!("Nothing so far.") }</p>
                 } else {
                     <ul class="problems">{ for facts.violations.iter().map(|v| violation(v, send)) }</ul>
+                }
+                if let Some(rule) = facts.breaks {
+                    <div class="pair">
+                        <button type="button" class="btn outline" onclick={send.reform(|_| Action::Steer(Lead::Back))}>{ icon::show("undo") }{ tr!("Take the step back") }</button>
+                        <button type="button" class="btn outline" onclick={send.reform(move |_| Action::Rules(RuleAction::Show(rule)))}>{ icon::show("search") }{ tr!("Show the rule") }</button>
+                    </div>
                 }
                 if facts.more > 0 {
                     <p class="remark">{ tr!("And {more} more.", more = facts.more) }</p>
@@ -157,6 +166,7 @@ fn violation(violation: &Happening, send: &Callback<Action>) -> Html {
 }
 
 /// What stays at the foot of the inspector.
+#[inline(never)]
 pub(super) fn foot(send: &Callback<Action>) -> Html {
     html! {
         <footer class="foot">

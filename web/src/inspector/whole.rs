@@ -6,10 +6,11 @@ use giveway_model::tr;
 use giveway_page::audit::question;
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
-use giveway_page::{Action, Answer, BoardAction, Draft, Selection};
+use giveway_page::{Action, Answer, AskAction, BoardAction, Draft, Selection, ask, words};
 use yew::prelude::*;
 
-use super::{audit, change, edit, freedom, front, ledger, planners, proof, rules};
+use super::{audit, change, edit, freedom, front, ledger, order, planners, proof, rules, sizing};
+use crate::held::{HeldPlace, HeldPlaceProps};
 use crate::part::part;
 use crate::{Shown, glyph, icon};
 
@@ -26,58 +27,78 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
     let is_there = 0..state.world().agents().len();
     let is_there: Vec<bool> = is_there.map(|agent| state.is_there(agent)).collect();
     let is_solving = state.work.solving().is_some();
+    // What is told of the plan goes with an edit and comes again with the next plan.
+    let is_held = is_solving || state.document.is_stale();
+    let plan = html! {
+        if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
+            <section>
+                <h3>{ if is_solving { tr!("So far") } else { tr!("Plan") } }</h3>
+                { costs(state, &facts.costs, send) }
+                { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
+                if let Some(work) = facts.work {
+                    <p class="remark">{ work }</p>
+                }
+                { proof::show(state, send) }
+                { audit::begin(question(state), send) }
+                { freedom::begin(state, send) }
+                { ledger::begin(state, send) }
+                { order::begin(state, send) }
+                { sizing::begin(state, send) }
+                { rules::question(state, send) }
+            </section>
+        }
+    };
     html! {
         <>
             { freedom::closed(state, send) }
             <header class="ih whole"><div><h2>{ facts.title.clone() }</h2><p>{ facts.contents.clone() }</p></div></header>
             { edit::problems(state, send, |_| true) }
-            if !facts.costs.is_empty() || !facts.claims.is_empty() || facts.work.is_some() {
-                <section>
-                    <h3>{ if is_solving { tr!("So far") } else { tr!("Plan") } }</h3>
-                    { costs(&facts.costs) }
-                    { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
-                    if let Some(work) = facts.work {
-                        <p class="remark">{ work }</p>
-                    }
-                    { proof::show(state, send) }
-                    { audit::begin(question(state), send) }
-                    { freedom::begin(state, send) }
-                    { ledger::begin(state, send) }
-                </section>
-            }
+            { part::<HeldPlace>(HeldPlaceProps { is_held, content: plan }) }
             { rules::show(state, send) }
             { planners::show(state, send) }
             { change::history(&past, false) }
             { front::show(state, send) }
             { edit::whole(state, send) }
-            { part::<Agents>(AgentsProps { draft: Rc::clone(state.world()), is_there, answer: state.document.answer.clone(), send: send.clone() }) }
+            { part::<Agents>(AgentsProps { draft: Rc::clone(state.world()), is_there, answer: state.so_far().or(state.document.fresh_answer()).cloned(), send: send.clone() }) }
         </>
     }
 }
 
-fn costs(costs: &[CostFacts]) -> Html {
+fn costs(state: &Shown, costs: &[CostFacts], send: &Callback<Action>) -> Html {
     if costs.is_empty() {
         return Html::default();
     }
-    let number = |n: Option<u32>| n.map_or_else(|| "\u{2013}".to_owned(), |n| n.to_string());
+    let units = state.world().scene().units;
+    // Why a cost is not less is asked at its row.
+    let title = |facts: &CostFacts| match ask::of_cost(state, facts.cost) {
+        Some(offer) => {
+            let question = offer.question;
+            let onclick = send.reform(move |_| Action::Ask(AskAction::Ask(question.clone())));
+            html! { <button type="button" class="why" title={offer.text.clone()} aria-label={format!("{}: {}", facts.title, offer.text)} {onclick}>{ facts.title }{ icon::show("question") }</button> }
+        }
+        None => html! { { facts.title } },
+    };
+    // A bound that is not there leaves its place empty; without any there is no column.
+    let bound = |facts: &CostFacts| facts.at_least.filter(|_| facts.is_minimised);
+    let has_bounds = costs.iter().any(|facts| bound(facts).is_some());
     let row = |facts: &CostFacts| {
         let minor = (!facts.is_minimised).then_some("minor");
         html! {
             <tr key={facts.title} class={classes!(minor)}>
-                <th scope="row">{ facts.title }</th>
-                <td>{ number(facts.value) }</td>
-                <td>
+                <th scope="row">{ title(facts) }</th>
+                <td>{ facts.value.map(|value| words::measured(units, facts.cost, value)) }</td>
+                if has_bounds { <td>
                     if facts.is_proved() {
                         <span class="seal">{ icon::show("proved") }<span class="vh">{ tr!("proved least:") }{ " " }</span></span>
                     }
-                    if facts.is_minimised { { number(facts.at_least) } }
-                </td>
+                    { bound(facts) }
+                </td> }
             </tr>
         }
     };
     html! {
         <table class="costs" aria-label={tr!("Costs")}>
-            <thead><tr><th scope="col">{ tr!("Cost") }</th><th scope="col">{ tr!("Plan") }</th><th scope="col">{ tr!("At least") }</th></tr></thead>
+            <thead><tr><th scope="col">{ tr!("Cost") }</th><th scope="col">{ tr!("Plan") }</th>if has_bounds { <th scope="col">{ tr!("At least") }</th> }</tr></thead>
             <tbody>{ for costs.iter().map(row) }</tbody>
         </table>
     }

@@ -20,7 +20,7 @@ pub(crate) use keeper::{Rescued, rescue};
 pub(crate) use lost::{download as download_lost, settle as settle_lost};
 pub(crate) use opening::opening;
 pub(crate) use scenes::{forget_scene, keep_scene, scene, scenes};
-pub(crate) use storage::{forget, load, store};
+pub(crate) use storage::{forget, forget_here, load, remember, remembered, store};
 pub(crate) use tabs::{other, others};
 
 use keeper::Keeper;

@@ -87,20 +87,17 @@ pub(super) fn rest(key: &str, begin: &str) -> Option<String> {
 }
 
 /// What this tab alone keeps under a name.
-pub(super) fn remembered(name: &str) -> Option<String> {
+pub(crate) fn remembered(name: &str) -> Option<String> {
     passing()?.get_item(&ours(name)).ok()?
 }
 
-/// Keeps a text for this tab alone, if the browser lets it.
-pub(super) fn remember(name: &str, text: &str) {
-    if let Some(storage) = passing() {
-        // Without it the tab opens what was kept last.
-        let _ = storage.set_item(&ours(name), text);
-    }
+/// Keeps a text for this tab alone, if the browser lets it; whether it does.
+pub(crate) fn remember(name: &str, text: &str) -> bool {
+    passing().is_some_and(|storage| storage.set_item(&ours(name), text).is_ok())
 }
 
 /// Forgets what this tab alone keeps.
-pub(super) fn forget_here(name: &str) {
+pub(crate) fn forget_here(name: &str) {
     if let Some(storage) = passing() {
         let _ = storage.remove_item(&ours(name));
     }

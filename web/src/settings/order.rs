@@ -22,6 +22,7 @@ pub(super) fn show(objective: &Objective, send: &Callback<Action>) -> Html {
             <ol class="order">
                 { for costs.iter().enumerate().map(|(at, &cost)| row(given, at, cost)) }
             </ol>
+            if let Some(caution) = objective::caution(objective) { <p class="remark">{ caution }</p> }
             if !others.is_empty() {
                 <div class="adds">{ for others.iter().map(|&cost| addition(given, cost)) }</div>
             }

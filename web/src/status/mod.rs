@@ -13,6 +13,7 @@ use yew::prelude::*;
 use crate::dialog::{Panel, use_dismiss};
 use crate::part::part;
 use crate::status::live::LiveProps;
+use crate::turning::{Turning, TurningProps};
 use crate::{Shown, icon, inspector, settings};
 use live::Live;
 
@@ -86,7 +87,10 @@ pub(crate) fn sentence(state: &State) -> Html {
                 <span class={classes!("badge", badge.class())}>
                     { icon::show(badge.icon()) }{ badge.word() }
                 </span>
-                <span class="say">{ standing.beside_badge().to_owned() }</span>
+                // What stands there once the question is answered: the line keeps its height.
+                <span class="say" data-later={words::later(state)}>
+                    <span>{ standing.beside_badge().to_owned() }</span>
+                </span>
             </p>
             { part::<Live>(LiveProps { standing }) }
         </>
@@ -183,8 +187,8 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
             tr!("Go on from here (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
         ),
-        // The rule that is being written comes first.
-        Phase::Editing if !state.is_writing_rule() => (
+        // What is being made comes first.
+        Phase::Editing if !state.is_making() => (
             "primary",
             tr!("Solve (Ctrl Enter)"),
             Action::Solve(SolveAction::Solve),
@@ -207,10 +211,20 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         _ => tr!("Solve"),
     };
     let press = send.reform(move |_| action.clone());
-    html! {
-        <button class={classes!("btn", class)} {title} onclick={press}>
+    let content = html! {
+        <>
             if word == tr!("Cancel") { { icon::show("cancel") } }
             <span>{ word }</span>
-        </button>
-    }
+        </>
+    };
+    part::<Turning>(TurningProps {
+        meaning: word.into(),
+        class: classes!("btn", class),
+        title: Some(title.into()),
+        label: None,
+        is_off: false,
+        is_toggle: false,
+        content,
+        onclick: press,
+    })
 }

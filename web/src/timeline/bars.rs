@@ -6,7 +6,7 @@ use giveway_page::freedom::LaneMarks;
 use giveway_page::timeline::{Axis, Lane, Row, Shapes};
 use yew::prelude::*;
 
-use super::same::Same;
+use crate::same::Same;
 
 /// The bolt and the flag of the icons, for use among the bars.
 const BOLT: &str = "M11.4 2.8 5 11.2h4.6l-1 6L15 8.8h-4.6Z";
@@ -83,6 +83,8 @@ pub(super) fn Bars(props: &BarsProps) -> Html {
             { path("stripes", &shapes.stripes) }
             { path("waits", &shapes.waits) }
             { path("pauses", &shapes.pauses) }
+            { path("turning", &shapes.turns) }
+            { path("turning", &shapes.clocks) }
             { path("broken", &shapes.broken) }
             { path("crosses", &shapes.crosses) }
             { path("after", &shapes.after) }

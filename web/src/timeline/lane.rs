@@ -10,9 +10,9 @@ use wasm_bindgen::JsCast;
 use yew::prelude::*;
 
 use super::bars::Bars;
-use super::same::Same;
 use crate::board::STAR;
 use crate::glyph;
+use crate::same::Same;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct LaneRowProps {
@@ -35,6 +35,8 @@ pub(super) struct LaneRowProps {
     /// What of it is in every best plan, where that is laid over the plan.
     pub marks: Option<LaneMarks>,
     pub selected: bool,
+    /// Whether it stays below the ruler.
+    pub is_pinned: bool,
     /// Whether the tab key comes to it.
     pub tab_stop: bool,
     /// When the agent is in the zone that is lit.
@@ -94,7 +96,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
         None => lane.name.clone(),
     };
     html! {
-        <div class={classes!("row", "lane", glyph::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"))}
+        <div class={classes!("row", "lane", glyph::class(lane.agent), note.is_some_and(|note| !note.is_planned).then_some("later"), props.selected.then_some("sel"), props.is_pinned.then_some("pinned"))}
             onclick={onclick}>
             <button type="button" class="lab" aria-pressed={props.selected.to_string()}
                 tabindex={if props.tab_stop { "0" } else { "-1" }} data-lane={index.to_string()} title={title}>

@@ -2,18 +2,21 @@
 //! sought, how far that has come.
 
 mod bars;
+mod clash;
 mod epochs;
 mod head;
 mod inside;
 mod lane;
+mod order;
 mod plan;
 mod plan_table;
 mod rest;
+mod robots;
 mod ruler;
 mod rules;
-mod same;
 mod seen;
 mod selected;
+mod sizing;
 mod tabs;
 mod transport;
 mod wait;
@@ -21,17 +24,21 @@ mod wait;
 use std::rc::Rc;
 
 use giveway_model::{Question, tr};
-use giveway_page::{Action, AskAction, Phase, ViewAction, ask};
+use giveway_page::{Action, AskAction, Phase, State, ViewAction, ask};
+use wasm_bindgen::JsCast;
+use web_sys::HtmlElement;
 use yew::prelude::*;
 
+use crate::held::use_height_before;
 use crate::part::part;
+use crate::same::Same;
 use crate::timeline::plan::PlanProps;
 use crate::timeline::tabs::TabsProps;
 use crate::timeline::wait::WaitProps;
 use crate::{Shown, icon};
 use inside::{Inside, places};
 use plan::Plan;
-use same::Same;
+use robots::Robots;
 use tabs::Tabs;
 use transport::transport;
 pub(crate) use transport::{clock, play_keys};
@@ -63,6 +70,23 @@ pub fn Dock(props: &DockProps) -> Html {
                 send.emit(Action::View(ViewAction::ShowTable(false)));
             }
         });
+    }
+    let has_lanes = has_lanes(state);
+    let lanes = || {
+        gloo::utils::document()
+            .query_selector(".dock")
+            .ok()
+            .flatten()?
+            .dyn_into()
+            .ok()
+    };
+    let height = use_height_before(!has_lanes, lanes);
+    use_effect_with(height, |&height| keep_height(height));
+    if state.shows_sizing() && !state.is_inside() {
+        return html! { { part::<sizing::Sizing>(props.clone()) } };
+    }
+    if state.shows_robots() && !state.is_inside() {
+        return html! { { part::<Robots>(props.clone()) } };
     }
     if state.is_inside() {
         return html! { { part::<Inside>(props.clone()) } };
@@ -96,6 +120,7 @@ pub fn Dock(props: &DockProps) -> Html {
                 | Phase::Auditing
         ) || ask::offers_next_step(state)
             || state.view.waiting.welcome
+            || state.shows_order()
             || state.is_writing_rule();
         let stale = state.shows_stale();
         return html! {
@@ -126,7 +151,7 @@ pub fn Dock(props: &DockProps) -> Html {
     };
     html! {
         <section class="dock empty" aria-label={tr!("Timeline")}>
-            if state.document.fresh_answer().is_some() { <div class="over-wait">{ places(state, send) }</div> }
+            if state.can_show_robots() || state.document.fresh_answer().is_some() { <div class="over-wait">{ places(state, send) }</div> }
             <div class="nil">
                 { icon::show("clock") }
                 <p><b>{ head }</b>{ text }</p>
@@ -136,7 +161,25 @@ pub fn Dock(props: &DockProps) -> Html {
                     </button>
                 }
             </div>
+            if let Some(times) = giveway_page::rules::clash_times(state) { { clash::show(&times, send) } }
         </section>
+    }
+}
+
+/// Whether the lanes of a plan stand below the board, or how far it is in their room.
+fn has_lanes(state: &State) -> bool {
+    let has_other = state.is_inside() || state.shows_robots() || state.shows_sizing();
+    !has_other && (state.awaited().is_some() || state.playing().is_some())
+}
+
+/// What takes the place of the lanes is as high as they were: the board stays as it is.
+fn keep_height(height: Option<i32>) {
+    let root = gloo::utils::document_element().dyn_into::<HtmlElement>();
+    if let (Ok(root), Some(height)) = (root, height) {
+        // Without it, the board gets another size.
+        let _ = root
+            .style()
+            .set_property("--dock-before", &format!("{height}px"));
     }
 }
 

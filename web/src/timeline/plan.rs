@@ -8,23 +8,26 @@ use giveway_page::beside as compared;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row};
-use giveway_page::{Action, Answer, BoardAction, PlayAction, Selection, changing, freedom, table};
+use giveway_page::{
+    Action, Answer, BoardAction, PlayAction, Selection, changing, freedom, order, table,
+};
 use web_sys::Element;
 use yew::prelude::*;
 
 use super::epochs;
 use super::head::{Moved, use_head};
 use super::lane::LaneRow;
+use super::order as links;
 use super::plan_table::PlanTable;
 use super::rest;
 use super::ruler::Ruler;
 use super::rules;
-use super::same::Same;
 use super::seen::{Extent, Seen, use_seen};
 use super::selected::{lane_of, selected_lane, selection, use_selected_in_view};
 use crate::Shown;
 use crate::held::use_held;
 use crate::part::part;
+use crate::same::Same;
 use crate::timeline::plan_table::PlanTableProps;
 use crate::timeline::ruler::RulerProps;
 
@@ -50,8 +53,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         send,
     } = props;
     let draft = Same::new(Rc::clone(&state.document.draft));
-    // While two plans are compared: the robots that differ.
-    let only = notes.is_none().then(|| compared::lanes(state)).flatten();
+    // While two plans are compared: the robots that differ. In the order at a cell: who passes it first.
+    let only = notes.is_none().then(|| compared::lanes(state));
+    let only = only.flatten().or_else(|| order::lanes(state));
     let lanes = use_memo(
         (answer.clone(), draft.clone(), notes.clone(), only.clone()),
         |(answer, draft, notes, only)| {
@@ -83,6 +87,10 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     } else {
         Row::of(lanes.len(), batteries)
     };
+    let selected = selected_lane(state, &lanes);
+    // Among many the lane of the robot selected stays below the ruler.
+    let pinned = selected.filter(|_| row == Row::MANY);
+    let rest = lanes.len() - usize::from(pinned.is_some());
     let plans = if beside.is_some() { 2.0 } else { 1.0 };
     let height = plans * row.height;
     let last = beside.as_ref().map_or(0, |beside| beside.makespan());
@@ -97,10 +105,13 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         .flat_map(|notes| notes.iter())
         .find_map(|note| note.stop.as_ref());
     let stop = stop.map_or(0, |stop| stop.time + stop.room());
-    let fate = |name: &str| changing::fate(state, name).or_else(|| freedom::late(state, name));
+    let fate = |name: &str| {
+        let fate = changing::fate(state, name).or_else(|| freedom::late(state, name));
+        fate.or_else(|| order::fate(state, name))
+    };
     let extent = Extent {
         last: answer.makespan().max(last).max(led).max(stop),
-        lanes: lanes.len(),
+        lanes: rest,
         lane: height,
         rows: lanes.len() + batteries,
         least: table::least_column(answer),
@@ -124,9 +135,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
     use_head(&moved, axis, &seen, state.view.playback.playing);
 
-    let selected = selected_lane(state, &lanes);
     let focus = use_held(|| None::<usize>);
-    use_selected_in_view(selected, extent, &lanes_ref, &focus);
+    let sought = selected.filter(|_| pinned.is_none());
+    use_selected_in_view(sought, extent, &lanes_ref, &focus);
     let pick = {
         let (state, lanes) = (state.clone(), lanes.clone());
         let send = send.clone();
@@ -176,10 +187,14 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
 
     let time = state.view.playback.time;
-    let (above, below) = Seen::beyond(&seen.lanes, lanes.len(), height);
-    let tab_stop = selected.filter(|index| seen.lanes.contains(index));
+    let (above, below) = Seen::beyond(&seen.lanes, rest, height);
+    // From a place among the lanes that scroll to the lane.
+    let lane_at = |place: usize| place + usize::from(pinned.is_some_and(|pinned| place >= pinned));
+    let tab_stop = sought.filter(|index| seen.lanes.contains(index)).or(pinned);
     let tab_stop = tab_stop.unwrap_or(seen.lanes.start);
     let lane_row = |index: usize| {
+        let is_pinned = pinned == Some(index);
+        let row = if is_pinned { Row::PINNED } else { row };
         html! {
             <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 in_zone={lanes.get(index).map(|lane| giveway_page::rules::in_lit_zone(state, &lane.name)).unwrap_or_default()}
@@ -188,7 +203,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 fate={lanes.get(index).and_then(|lane| fate(&lane.name))} selected={selected == Some(index)}
                 note={notes.as_ref().and_then(|notes| notes.get(index)).cloned()}
                 marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))}
-                tab_stop={index == tab_stop} pick={pick.clone()} />
+                tab_stop={index == tab_stop} {is_pinned} pick={pick.clone()} />
         }
     };
     let gutter = seen.gutter.then_some("gutter");
@@ -204,10 +219,12 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 <div class="rows">
                     { part::<Ruler>(RulerProps { axis, columns: seen.columns.clone(), time, thumb: moved.thumb.clone(), send: send.clone() }) }
                     { rules::show(state, axis, send) }
-                    <div role="group" aria-label={tr!("Lanes")} {onkeydown}>
+                    <div role="group" class={classes!(state.shows_order().then_some("in-order"))} aria-label={tr!("Lanes")} {onkeydown}>
+                        { for pinned.map(lane_row) }
                         { spacer(above) }
-                        { for seen.lanes.clone().map(lane_row) }
+                        { for seen.lanes.clone().map(|place| lane_row(lane_at(place))) }
                         { spacer(below) }
+                        if pinned.is_none() && beside.is_none() { { links::show(state, axis, row, lanes.len()) } }
                     </div>
                     { rest::show(state, lanes.len(), send) }
                     { epochs::show(state, axis) }

@@ -8,8 +8,8 @@ use giveway_page::table::{Place, level, place, spans};
 use giveway_page::timeline::{Axis, Lane};
 use yew::prelude::*;
 
-use super::same::Same;
 use crate::glyph;
+use crate::same::Same;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanTableProps {

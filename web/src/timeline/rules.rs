@@ -13,6 +13,8 @@ use crate::inspector::show_rules;
 const LINE: f64 = 22.0;
 const BAR: f64 = 18.0;
 const LETTER: f64 = 6.6;
+/// The fewest letters that tell something of a name.
+const LEAST: usize = 5;
 
 /// The row; nothing where no rule has times.
 pub(super) fn show(state: &State, axis: Axis, send: &Callback<Action>) -> Html {
@@ -76,8 +78,12 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
     let width = f64::from(of.to + 1 - of.from) * axis.column;
     let fits = ((width - 12.0) / LETTER).max(0.0);
     let room = giveway_page::timeline::whole(fits) as usize;
-    // What has no room is cut off: what is seen is a part of the name.
-    let text: String = of.text.chars().take(room).collect();
+    // What has no room is cut off: what is seen is a part of the name, or nothing.
+    let text: String = if of.text.chars().count() > room && room < LEAST {
+        String::new()
+    } else {
+        of.text.chars().take(room).collect()
+    };
     let class = classes!(
         "stretch",
         of.is_now.then_some("now"),

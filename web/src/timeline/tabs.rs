@@ -69,7 +69,7 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         let name = match (choice, *inside) {
             (Tab::Timeline, Some(_)) => tr!("How it was proved"),
             (Tab::Inspector, _) if *teaches => tr!("Lesson"),
-            (Tab::Inspector, Some(Method::Proof)) => tr!("Step"),
+            (Tab::Inspector, Some(Method::Proof | Method::Pibt | Method::Lacam)) => tr!("Step"),
             (Tab::Inspector, Some(Method::Tree)) => tr!("Node"),
             (Tab::Inspector, Some(Method::Orders)) => tr!("Order"),
             (Tab::Inspector, None) if *checks => tr!("Check"),

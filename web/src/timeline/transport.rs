@@ -4,12 +4,15 @@ use giveway_model::tr;
 use giveway_page::changing::columns;
 use giveway_page::freedom::{Chip, FreedomAction, TITLE, chip, is_offered};
 use giveway_page::keys::key_name;
-use giveway_page::{Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table};
+use giveway_page::{
+    Action, ChangeAction, FileAction, PlayAction, Speed, State, ViewAction, table, words,
+};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::DockProps;
 use crate::part::part;
+use crate::turning::{Turning, TurningProps};
 use crate::{copy, icon};
 
 /// How long it is shown that the table was copied, in milliseconds.
@@ -18,8 +21,9 @@ const COPIED_MS: u32 = 1600;
 /// The buttons above the lanes.
 pub(super) fn transport(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
+    let has_tabs = state.can_look_inside() || state.can_show_robots();
     html! {
-        <div class={classes!("transport", state.can_look_inside().then_some("two"))}>
+        <div class={classes!("transport", has_tabs.then_some("two"))}>
             { super::places(state, send) }
             { play_keys(state, send) }
             { clock(state) }
@@ -34,8 +38,15 @@ pub(super) fn transport(props: &DockProps) -> Html {
 /// The time shown. No live region: nobody wants every step read aloud.
 pub(crate) fn clock(state: &State) -> Html {
     let (time, last) = (state.view.playback.time, state.last_time());
+    let changes = state.document.mode.changing();
+    if changes.is_some() && state.document.mode.comparing().is_none() {
+        return html! {
+            <p class="clock" title={tr!("The world changes at time {last}", last)}><b>{ time }</b><span>{ tr!("after a bold number" => "change at {last}", last) }</span></p>
+        };
+    }
     html! {
-        <p class="clock" title={tr!("Time {time} of {last}", time, last)}><b>{ time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span></p>
+        <p class="clock" title={tr!("Time {time} of {last}", time, last)}><b>{ time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span>
+            if let Some(passed) = words::duration(state.world().scene().units, time) { <small>{ passed }</small> }</p>
     }
 }
 
@@ -66,14 +77,31 @@ pub(crate) fn play_keys(state: &State, send: &Callback<Action>) -> Html {
         <div class="keys">
             { button("start", tr!("To start"), "Home", Action::Play(PlayAction::Seek(0)), at_start && !playback.playing) }
             { button("step-back", tr!("Step back"), ",", Action::Play(PlayAction::StepBack), at_start) }
-            <button type="button" class="btn playb" title={tr!("{name} (Space)", name)} disabled={last == 0}
-                onclick={send.reform(move |_| action.clone())}>
-                { icon::show(icon) }<span class="vh">{ name }</span>
-            </button>
+            { play_button(icon, name, last == 0, send.reform(move |_| action.clone())) }
             { button("step", tr!("Step forward"), ".", Action::Play(PlayAction::StepForward), at_end) }
             { button("end", tr!("To end"), "End", Action::Play(PlayAction::Seek(last)), at_end) }
         </div>
     }
+}
+
+/// The button that plays and pauses. Where the end turns it, it does not begin anew under a
+/// press that was to pause.
+pub(super) fn play_button(
+    icon: &'static str,
+    name: &'static str,
+    is_off: bool,
+    onclick: Callback<MouseEvent>,
+) -> Html {
+    part::<Turning>(TurningProps {
+        meaning: name.into(),
+        class: classes!("btn", "playb"),
+        title: Some(tr!("{name} (Space)", name).into()),
+        label: None,
+        is_off,
+        is_toggle: true,
+        content: html! { <>{ icon::show(icon) }<span class="vh">{ name }</span></> },
+        onclick,
+    })
 }
 
 /// What lets the world change here, or which way to go on is previewed.
@@ -81,7 +109,7 @@ fn change(props: &DockProps) -> Html {
     let DockProps { state, send } = props;
     let chosen = columns(state).and_then(|columns| columns.into_iter().find(|c| c.is_chosen));
     if let Some(column) = chosen {
-        return html! { <span class="preview">{ tr!("Previewing") }{ " " }<b>{ column.title }</b></span> };
+        return html! { <span class="preview">{ tr!("Previewing") }{ " " }<b>{ column.titles.join(", ") }</b></span> };
     }
     if !state.can_change() {
         return html! {};

@@ -138,7 +138,7 @@ fn room(draft: &Draft, table: bool) -> Html {
     html! {
         <div class="room" aria-hidden="true">
             <div class="transport"></div>
-            <div class="lanes"><svg class="spacer" width="1" height={lanes.to_string()} /></div>
+            <div class={classes!("lanes", row.class())}><svg class="spacer" width="1" height={lanes.to_string()} /></div>
             <div class={classes!("tblwrap", (!table).then_some("closed"))}><svg class="spacer" width="1" height={rows.to_string()} /></div>
         </div>
     }

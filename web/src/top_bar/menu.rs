@@ -41,8 +41,12 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let answer = state.document.fresh_answer();
     let has_changes = answer.is_some_and(|answer| answer.course.is_some());
     let has_plan = answer.and_then(|answer| answer.plan()).is_some() || state.audit().is_some();
+    let has_report = answer.is_some_and(|answer| answer.plan().is_some());
+    let report = show.reform(|_: MouseEvent| Panel::Report);
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
     let plan = press(|state, _| save_if(files::plan_file(state)));
+    let has_robots = !state.document.draft.agents().is_empty();
+    let robots = press(|state, _| crate::files::save_robots(state));
     let changes = press(|state, _| save_if(files::changes_file(state)));
     let has_trace = answer.is_some_and(|answer| answer.solved.trace.is_some());
     let trace = press(|state, _| save_if(files::trace_file(state)));
@@ -73,6 +77,8 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
         <>
             { item("save", tr!("Save scene"), scene) }
             if has_plan { { item("save", tr!("Save plan"), plan) } }
+            if has_report { { item("file", tr!("Report of the plan"), report) } }
+            if has_robots { { item("save", tr!("Save robots (CSV)"), robots) } }
             if has_changes { { item("save", tr!("Save changes"), changes) } }
             if has_trace { { item("save", tr!("Save how it was proved"), trace) } }
             if state.is_laid_over() { { item("save", tr!("Save what must be so"), freedom) } }

@@ -148,12 +148,13 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                     if *panel == Panel::Open {
                         <div class="menu">
                             { item("open", tr!("Choose a file"), pick.clone()) }
-                            { item("copy", tr!("Paste"), paste.clone()) }
+                            { item("paste", tr!("Paste"), paste.clone()) }
+                            <p class="menu-note">{ tr!("A scene, a plan, a link; a map as JSON, as CSV or drawn with . and #; a table of robots.") }</p>
                         </div>
                     }
                 </span>
                 <input ref={picker} type="file" hidden=true multiple=true onchange={picked}
-                    accept=".json,.map,.scen,.giveway,application/json" />
+                    accept=".json,.map,.scen,.giveway,application/json,image/*,.pgm,.yaml" />
                 <span class="hold">
                     { toggle(panel, Panel::Save, "btn ghost wide", "save", tr!("Save"), show) }
                     if *panel == Panel::Save {
@@ -193,14 +194,14 @@ pub(crate) fn TopBar(props: &TopBarProps) -> Html {
                         { item("examples", tr!("Examples"), examples) }
                         { item("plus", tr!("New scene"), fresh) }
                         { item("open", tr!("Open"), pick) }
-                        { item("copy", tr!("Paste"), paste) }
+                        { item("paste", tr!("Paste"), paste) }
                         { save_items(state, send, show) }
                         { copy_item(state, &is_copied, send) }
                         { item("share", tr!("Share"), share) }
                         { item("fit", tr!("Present"), present) }
                         <hr />
                         { inside_items(state, send, show) }
-                        { item("search", tr!("Find a robot"), find) }
+                        <span class="only-low">{ item("search", tr!("Find a robot"), find) }</span>
                         { item("settings", tr!("Settings"), show.reform(|_| Panel::Settings)) }
                         { item("theme", &theme_title, theme) }
                         { item("help", tr!("Help"), help) }
@@ -227,6 +228,8 @@ fn inside_items(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) 
         Method::Proof => "proved",
         Method::Tree => "tree",
         Method::Orders => "agent",
+        Method::Pibt => "many",
+        Method::Lacam => "search",
     };
     let method = |method: Method| {
         item(

@@ -22,6 +22,7 @@ whose switching off leaves one.
 
 Examples
   giveway price floor.json
+  giveway price floor.json --loosen 0
   giveway price floor.json --objective penalty,makespan --format json
   giveway price warehouse.json --constraint \"each cell stays free for 1 step behind any robot\"")]
 pub(crate) struct Price {
@@ -38,6 +39,10 @@ pub(crate) struct Price {
     /// robot needs alone + 4 (width + height) + 10]
     #[arg(long, value_name = "N", value_parser = whole::<u32>, allow_negative_numbers = true)]
     pub(crate) within: Option<u32>,
+    /// Price this rule alone, by its number in the file from 0, and find the least by which it has to
+    /// be loosened so that the costs change, or there is a plan
+    #[arg(long, value_name = "RULE", value_parser = whole::<u32>, allow_negative_numbers = true)]
+    pub(crate) loosen: Option<u32>,
     /// Stop the whole command after so many seconds; 0.5 is allowed
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) time_limit: Option<f64>,

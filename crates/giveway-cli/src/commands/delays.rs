@@ -2,7 +2,7 @@
 
 use giveway_model::question::Asked;
 use giveway_solve::delays::DelaysRequest;
-use giveway_solve::{Limits, Refusal, Request, Response, serve};
+use giveway_solve::{Refusal, Request, Response, serve};
 
 use super::{explain::asked, one_standard_input, otherwise::refused_plan, unexpected};
 use crate::{
@@ -42,13 +42,7 @@ pub(super) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         objective: None,
         within: args.within,
         ledger_only: false,
-        limits: Limits {
-            // The limit is for the whole command: reading has taken its part.
-            seconds: args
-                .time_limit
-                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
-            ..Limits::default()
-        },
+        limits: clock.limits(args.time_limit),
     });
     let host = CommandHost::new(clock, common.quiet, instance.objective().clone());
     let response = serve(&request, &host);

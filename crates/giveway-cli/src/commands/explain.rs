@@ -2,7 +2,7 @@
 
 use giveway_model::{Instance, Plan, Question, change::History, question::Asked};
 use giveway_solve::explain::{ExplainRequest, Layer, Verdict};
-use giveway_solve::{Limits, Refusal, Request, Response, serve};
+use giveway_solve::{Refusal, Request, Response, serve};
 
 use super::{delays, one_standard_input, otherwise::refused_plan, proof, unexpected};
 use crate::{
@@ -53,13 +53,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         within: args.within,
         proved: None,
         layers: args.layers.clone(),
-        limits: Limits {
-            // The limit is for the whole command: reading has taken its part.
-            seconds: args
-                .time_limit
-                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
-            ..Limits::default()
-        },
+        limits: clock.limits(args.time_limit),
     });
     let host = CommandHost::new(clock, common.quiet, instance.objective().clone());
     let response = serve(&request, &host);

@@ -1,7 +1,7 @@
 //! `giveway freedom`: what must be so in every best plan.
 
 use giveway_solve::freedom::FreedomRequest;
-use giveway_solve::{Limits, Request, Response, Status, serve};
+use giveway_solve::{Request, Response, Status, serve};
 
 use super::{one_standard_input, proof, refused, unexpected};
 use crate::{
@@ -33,13 +33,7 @@ pub(crate) fn run(args: &Freedom, common: &Common, clock: Clock) -> Result<Exit,
         within: args.within,
         parts: args.parts.named(),
         count: args.parts.count,
-        limits: Limits {
-            // The limit is for the whole command: reading has taken its part.
-            seconds: args
-                .time_limit
-                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
-            ..Limits::default()
-        },
+        limits: clock.limits(args.time_limit),
     });
     let host = CommandHost::new(clock, common.quiet, instance.objective().clone());
     let response = serve(&request, &host);

@@ -9,10 +9,13 @@ mod delays;
 mod explain;
 mod freedom;
 mod manual;
+mod order;
 mod otherwise;
 mod picture;
 mod price;
 mod proof;
+mod report;
+mod sizing;
 mod solve;
 mod sweep;
 mod verify;
@@ -37,9 +40,12 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Compare(compare) => compare::run(compare, &args.common),
         Command::Explain(explain) => explain::run(explain, &args.common, clock),
         Command::Freedom(freedom) => freedom::run(freedom, &args.common, clock),
+        Command::Order(order) => order::run(order, &args.common, clock),
         Command::Price(price) => price::run(price, &args.common, clock),
+        Command::Sizing(sizing) => sizing::run(sizing, &args.common, clock),
         Command::Convert(convert) => convert::run(convert, &args.common),
         Command::Picture(picture) => picture::run(picture, &args.common, clock),
+        Command::Report(report) => report::run(report, &args.common, clock),
         Command::Verify(verify) => verify::run(verify, &args.common),
         Command::Sweep(sweep) => sweep::run(sweep, &args.common),
         Command::Table(table) => sweep::table(table),

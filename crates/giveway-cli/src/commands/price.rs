@@ -1,7 +1,7 @@
 //! `giveway price`: what each rule of a scene's own costs.
 
 use giveway_solve::price::PriceRequest;
-use giveway_solve::{Limits, Request, Response, Status, serve};
+use giveway_solve::{Request, Response, Status, serve};
 
 use super::{one_standard_input, refused, unexpected};
 use crate::{
@@ -28,13 +28,8 @@ pub(crate) fn run(args: &Price, common: &Common, clock: Clock) -> Result<Exit, F
         objective: None,
         within: args.within,
         start: plan.transpose()?,
-        limits: Limits {
-            // The limit is for the whole command: reading has taken its part.
-            seconds: args
-                .time_limit
-                .map(|limit| (limit - clock.wall_seconds()).max(0.0)),
-            ..Limits::default()
-        },
+        loosen: args.loosen,
+        limits: clock.limits(args.time_limit),
     });
     let host = CommandHost::new(clock, common.quiet, instance.objective().clone());
     let response = serve(&request, &host);

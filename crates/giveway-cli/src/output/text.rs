@@ -8,8 +8,10 @@ mod delays;
 mod explain;
 mod freedom;
 mod front;
+mod order;
 mod planned;
 mod price;
+mod sizing;
 mod solve;
 mod verify;
 
@@ -21,8 +23,10 @@ pub(crate) use delays::delays;
 pub(crate) use explain::{explain, explain_over_time};
 pub(crate) use freedom::freedom;
 pub(crate) use front::front;
+pub(crate) use order::order;
 pub(crate) use planned::planned;
 pub(crate) use price::price;
+pub(crate) use sizing::sizing;
 pub(crate) use solve::solve;
 pub(crate) use verify::{verify, verify_all};
 

@@ -58,7 +58,7 @@ fn who_costs_whom_is_told_in_rows() {
         A1   0,0  1,0  1,1  1,0  2,0  3,0
         A2   3,0  2,0  1,0  0,0
 
-        Who loses steps, because of whom
+        Who loses steps, because of whom on its best way alone
           A1     2  A2 (arrives at 5, alone at 3)
           1 robot loses nothing.
 
@@ -100,7 +100,7 @@ fn a_plan_of_ones_own_says_what_could_be_saved() {
         A1   0,0  1,0  1,1  1,1  1,1  1,0  2,0  3,0
         A2   3,0  3,0  2,0  1,0  0,0
 
-        Who loses steps, because of whom
+        Who loses steps, because of whom on its best way alone
           A1     4  A2 (arrives at 7, alone at 3)
           A2     1  nobody (arrives at 4, alone at 3)
 

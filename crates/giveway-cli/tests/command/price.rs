@@ -71,6 +71,34 @@ fn each_rule_has_its_price() {
 }
 
 #[test]
+fn a_rule_is_loosened_by_the_least_that_changes_the_costs() {
+    let answer = price("feeder.json --loosen 0");
+    assert_eq!(answer["prices"].as_array().unwrap().len(), 1);
+    let loosened = &answer["loosened"];
+    assert_eq!(loosened["settled"], true);
+    let looser = &loosened["looser"][0];
+    assert_eq!(looser["rule"]["most"], 2);
+    assert_eq!(
+        (&looser["least"], &looser["exact"]),
+        (&json!(true), &json!(true))
+    );
+    assert_eq!(looser["costs"]["makespan"], 8);
+    assert_eq!(looser["difference"]["makespan"], 2);
+    let run = folder().run("price feeder.json --loosen 0");
+    let said = "Loosened by the least that helps: At most 2 robots in 'feeder'. Then makespan 8, sum of costs 21";
+    assert!(run.answer().contains(said), "{}", run.answer());
+    let run = folder().run("price feeder.json --loosen 1");
+    let said = "This rule has no number and no times to loosen.";
+    assert!(run.answer().contains(said), "{}", run.answer());
+    let run = folder().run("price feeder.json --loosen 7");
+    assert!(
+        run.err.contains("the number of a rule that is in force"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
 fn rules_that_leave_no_plan_are_told_with_what_helps() {
     let run = folder().run_words(&[
         "price",

@@ -9,6 +9,7 @@ mod history;
 mod refuse;
 mod timeline;
 mod trajectory;
+mod words;
 mod written;
 
 use serde::{Deserialize, Serialize};

@@ -3,6 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::{Constraint, ConstraintKind};
 use crate::Cell;
 use crate::object::one_of;
 
@@ -64,4 +65,40 @@ impl Heading {
 
     /// All of them, clockwise from the north.
     pub const ALL: [Self; 4] = [Self::North, Self::East, Self::South, Self::West];
+}
+
+/// The time steps of a quarter turn of an agent under the rules in force; 0 where turns are free.
+/// Of several rules each is kept by itself, so the largest number counts.
+///
+/// ```
+/// use giveway_model::constraint::quarter_turn;
+/// let rules = [serde_json::from_str(r#"{ "kind": "turns", "quarter": 2 }"#).unwrap()];
+/// assert_eq!(quarter_turn(&rules, "A1"), 2);
+/// assert_eq!(quarter_turn(&[], "A1"), 0);
+/// ```
+pub fn quarter_turn(rules: &[Constraint], agent: &str) -> u32 {
+    let binds = |rule: &&Constraint| {
+        let names = rule.agents.as_ref();
+        !rule.off && names.is_none_or(|names| names.iter().any(|name| name == agent))
+    };
+    let steps = rules
+        .iter()
+        .filter(binds)
+        .filter_map(|rule| match rule.kind {
+            ConstraintKind::Turns { quarter } => Some(quarter),
+            ConstraintKind::Capacity { .. }
+            | ConstraintKind::Closed { .. }
+            | ConstraintKind::OneWay { .. }
+            | ConstraintKind::Gap { .. }
+            | ConstraintKind::Apart { .. }
+            | ConstraintKind::Sequence { .. }
+            | ConstraintKind::Visit { .. }
+            | ConstraintKind::Arrive { .. }
+            | ConstraintKind::Late { .. }
+            | ConstraintKind::Depart { .. }
+            | ConstraintKind::Before { .. }
+            | ConstraintKind::NoWaiting { .. }
+            | ConstraintKind::Avoid { .. } => None,
+        });
+    steps.max().unwrap_or(0)
 }

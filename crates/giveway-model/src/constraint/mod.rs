@@ -14,6 +14,7 @@ mod edited;
 mod faults;
 mod heading;
 mod in_force;
+mod looser;
 mod timed;
 mod weaker;
 mod words;
@@ -26,8 +27,9 @@ use crate::Cell;
 use crate::condition::{Times, Visit};
 
 pub(crate) use faults::{World, check, find};
-pub use heading::Heading;
+pub use heading::{Heading, quarter_turn};
 pub use in_force::InForce;
+pub use looser::{Loosens, LooserWay};
 pub use timed::TimedConstraint;
 pub use words::sentences;
 pub use zone::Zone;

@@ -48,6 +48,9 @@ pub fn write_scene(scene: &Scene) -> String {
         let constraints: Vec<String> = scene.constraints.iter().map(spaced).collect();
         fields.push(field("constraints", &block('[', &constraints, ']')));
     }
+    if let Some(units) = &scene.units {
+        fields.push(field("units", &spaced(units)));
+    }
     format!("{{\n{}\n}}\n", fields.join(",\n"))
 }
 

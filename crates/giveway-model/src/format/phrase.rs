@@ -9,7 +9,7 @@ use crate::words::{Later, retold};
 use crate::{tr, tr_later};
 
 /// Phrases that come within a message, as values of this project's types say them.
-const KNOWN: [Later; 9] = [
+const KNOWN: [Later; 10] = [
     tr_later!("{what} twice"),
     tr_later!("each cost once"),
     tr_later!("each robot once"),
@@ -17,6 +17,7 @@ const KNOWN: [Later; 9] = [
     tr_later!("version {number}, the only one known here"),
     tr_later!("small letters, digits and hyphens, at most {most}"),
     tr_later!("a boolean"),
+    tr_later!("a number from {least} to {most}"),
     tr_later!("one of {names}"),
     tr_later!("{names} or {last}"),
 ];

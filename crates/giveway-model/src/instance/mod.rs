@@ -13,8 +13,8 @@ pub use start_state::{Breakdown, ClosedCell, StartState};
 use crate::assumption::MAX_ASSUMPTIONS;
 use crate::sorting::{map, set};
 use crate::{
-    Agent, Assumption, AtGoal, Constraint, Cost, Fault, Grid, Objective, Rules, Scene, Version,
-    Zone,
+    Agent, Assumption, AtGoal, Constraint, Cost, Fault, Grid, Objective, Rules, Scene, Units,
+    Version, Zone,
     constraint::{InForce, TimedConstraint},
     tr,
 };
@@ -51,6 +51,7 @@ pub struct Instance {
     assumptions: Vec<Assumption>,
     zones: Vec<Zone>,
     constraints: Vec<Constraint>,
+    units: Option<Units>,
     /// The same rules as a person wrote them, of the rest of a running plan; else none.
     as_written: Arc<[TimedConstraint]>,
     /// By the agents' names; an agent that is not here has nothing behind it.
@@ -113,6 +114,7 @@ impl Instance {
             assumptions: scene.assumptions,
             zones: scene.zones,
             constraints: scene.constraints,
+            units: scene.units,
             as_written: Arc::default(),
             start_states: BTreeMap::new(),
         })
@@ -162,6 +164,11 @@ impl Instance {
     /// The named parts of the map.
     pub fn zones(&self) -> &[Zone] {
         &self.zones
+    }
+
+    /// What a cell and a time step are in the world, where the scene says so.
+    pub const fn units(&self) -> Option<Units> {
+        self.units
     }
 
     /// The zone of a name.
@@ -263,6 +270,7 @@ impl Instance {
             assumptions: self.assumptions.clone(),
             zones: self.zones.clone(),
             constraints: self.constraints.clone(),
+            units: self.units,
         }
     }
 }

@@ -135,6 +135,7 @@ impl Instance {
             agents: agents.into_iter().map(|(agent, _)| agent).collect(),
             assumptions,
             zones: self.zones.clone(),
+            units: self.units,
             constraints,
             as_written: as_written.into(),
             start_states,

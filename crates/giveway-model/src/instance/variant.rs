@@ -74,6 +74,7 @@ impl Instance {
             assumptions: self.assumptions.clone(),
             agents: vec![agent.clone()],
             zones: self.zones.clone(),
+            units: self.units,
             constraints: self.constraints.clone(),
             as_written: self.as_written.clone(),
             start_states: self.start_states.clone(),

@@ -7,6 +7,7 @@ mod places;
 mod po;
 mod sentence;
 mod tr;
+mod units;
 
 use std::fmt::Display;
 
@@ -20,6 +21,7 @@ pub use sentence::Sentence;
 pub use tr::{Later, found, retold, translated};
 #[doc(hidden)]
 pub use tr::{fill, fill_counted, number, text};
+pub use units::{distance, duration, length, measured, timed};
 
 /// Phrases in a row: `a`, `a and b`, `a, b and c`.
 ///
@@ -179,6 +181,28 @@ pub fn value(cost: Cost, n: u32) -> String {
 pub fn values<'a>(order: impl IntoIterator<Item = &'a Cost>, costs: &Costs) -> String {
     let parts = order.into_iter().map(|&cost| value(cost, costs.get(cost)));
     parts.collect::<Vec<_>>().join(", ")
+}
+
+/// By how much a cost differs, with its unit: `+2 steps`, `−16 in the sum of costs`, `same`.
+///
+/// ```
+/// use giveway_model::{Cost, words::by};
+/// assert_eq!(by(Cost::Makespan, 2), "+2 steps");
+/// ```
+pub fn by(cost: Cost, delta: i64) -> String {
+    if delta == 0 {
+        return tr!("a cost is the" => "same").to_owned();
+    }
+    let by = format!("{delta:+}").replace('-', "\u{2212}");
+    let n = delta.unsigned_abs();
+    match cost {
+        Cost::Makespan => tr!("a difference" => "{by} step" | "{by} steps" % n, by),
+        Cost::SumOfCosts => tr!("a difference" => "{by} in the sum of costs", by),
+        Cost::Charges => tr!("a difference" => "{by} charge" | "{by} charges" % n, by),
+        Cost::Moves => tr!("a difference" => "{by} move" | "{by} moves" % n, by),
+        Cost::Waits => tr!("a difference" => "{by} wait" | "{by} waits" % n, by),
+        Cost::Penalty => tr!("a difference" => "{by} in the penalty", by),
+    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::Answer;
 use crate::timeline::Lane;
 use crate::words::at;
 
-/// The most agents whose visits are asked about.
+/// The most agents that are asked about a charger.
 const AGENTS: usize = 3;
 
 /// The questions; first whether `asker` passes, the agent that was selected before the cell.
@@ -50,8 +50,7 @@ pub(super) fn groups(answer: &Answer, cell: Cell, asker: Option<usize>) -> Vec<G
     }
     // That of the agent that was selected comes first.
     visits.sort_by_key(|visit| visit.0);
-    let visits = visits.into_iter().map(|visit| visit.1);
-    offers.extend(visits.take(AGENTS));
+    offers.extend(visits.into_iter().map(|visit| visit.1));
     if nobody {
         offers.push(Offer::new(
             "question",
@@ -62,8 +61,10 @@ pub(super) fn groups(answer: &Answer, cell: Cell, asker: Option<usize>) -> Vec<G
         ));
     }
     if grid.is_charger(cell) {
-        let batteries = answer.draft.agents().iter().filter(|a| a.battery.is_some());
-        let asks = batteries.map(|agent| Question::NoCharge {
+        let agents = answer.draft.agents().iter().enumerate();
+        let mut batteries: Vec<_> = agents.filter(|(_, a)| a.battery.is_some()).collect();
+        batteries.sort_by_key(|(agent, _)| asker != Some(*agent));
+        let asks = batteries.into_iter().map(|(_, agent)| Question::NoCharge {
             agent: agent.name.clone(),
             at: cell,
         });

@@ -17,8 +17,8 @@ pub use card::{
     LayerStep, Offered, Other, Piece, Reached, VerdictPart, WhoPays, card, closeness,
     offers_next_step,
 };
-pub(crate) use card::{group_mark, instead, layers, numbers_facts, numbers_groups};
-use giveway_model::{Question, question::fits, tr};
+pub(crate) use card::{instead, layers, numbers_facts, numbers_groups};
+use giveway_model::{Cost, Question, question::fits, tr};
 
 use crate::{Answer, Selection, State, words};
 
@@ -84,7 +84,11 @@ pub fn offers(state: &State) -> Vec<Group> {
     let Some(answer) = document.fresh_answer() else {
         return Vec::new();
     };
-    if document.mode.changing().is_some() || document.mode.steering().is_some() {
+    // Questions are about the plan itself, not about the late one on the board.
+    if state.late_plan().is_some()
+        || document.mode.changing().is_some()
+        || document.mode.steering().is_some()
+    {
         return Vec::new();
     }
     if answer.plan().is_none() {
@@ -113,6 +117,14 @@ pub fn offers(state: &State) -> Vec<Group> {
         None => keep_fitting(answer, groups),
         Some(changed) => keep(groups, |question| later::is_later(question, changed)),
     }
+}
+
+/// The question why a cost of the plan is not less, where it can be asked.
+pub fn of_cost(state: &State, cost: Cost) -> Option<Offer> {
+    let (_, question) = plan::of_cost(cost);
+    let offers = offers(state).into_iter().flat_map(|group| group.offers);
+    let mut same = offers.filter(|offer| offer.question == question);
+    same.next()
 }
 
 /// Leaves out what is not so.

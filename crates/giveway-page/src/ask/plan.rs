@@ -16,14 +16,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
     let proved = |cost: Cost| answer.solved.bounds.get(&cost) == Some(&costs.get(cost));
     let mut offers = Vec::new();
     for &cost in objective.costs() {
-        let (icon, question) = match cost {
-            Cost::Makespan => ("clock", Question::Makespan),
-            Cost::SumOfCosts => ("clock", Question::SumOfCosts),
-            Cost::Charges => ("charger", Question::Charges { agent: None }),
-            Cost::Moves => ("trail", Question::Moves { agent: None }),
-            Cost::Waits => ("pause", Question::Waits { agent: None }),
-            Cost::Penalty => ("warning", Question::Penalty),
-        };
+        let (icon, question) = of_cost(cost);
         let value = costs.get(cost);
         if value == 0 {
             continue;
@@ -43,6 +36,18 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
         offers,
         is_now: false,
     }]
+}
+
+/// The question why a cost is not less, with its icon.
+pub(super) const fn of_cost(cost: Cost) -> (&'static str, Question) {
+    match cost {
+        Cost::Makespan => ("clock", Question::Makespan),
+        Cost::SumOfCosts => ("clock", Question::SumOfCosts),
+        Cost::Charges => ("charger", Question::Charges { agent: None }),
+        Cost::Moves => ("trail", Question::Moves { agent: None }),
+        Cost::Waits => ("pause", Question::Waits { agent: None }),
+        Cost::Penalty => ("warning", Question::Penalty),
+    }
 }
 
 /// Where there is no plan, that is the question.

@@ -93,6 +93,23 @@ pub(super) fn edit_icon(edit: &Edit) -> &'static str {
         Edit::DropWaypoint { .. } => "waypoint",
         Edit::Vanish => "goal",
         Edit::LeaveOut { .. } => "agent",
-        Edit::SwitchOff { .. } | Edit::AllowMore { .. } | Edit::GiveUntil { .. } => "lock",
+        Edit::AllowMore { .. } | Edit::GiveUntil { .. } => "loosen",
+        Edit::SwitchOff { .. } => "lock",
+    }
+}
+
+/// Whether an edit gives something up that was wanted, instead of asking for less of it.
+pub(super) const fn gives_up(edit: &Edit) -> bool {
+    match edit {
+        Edit::SwitchOff { .. } | Edit::LeaveOut { .. } | Edit::DropWaypoint { .. } => true,
+        Edit::RemoveObstacle { .. }
+        | Edit::AddCharger { .. }
+        | Edit::Battery { .. }
+        | Edit::BatteryFloor { .. }
+        | Edit::Deadline { .. }
+        | Edit::MakeNormal { .. }
+        | Edit::Vanish
+        | Edit::AllowMore { .. }
+        | Edit::GiveUntil { .. } => false,
     }
 }

@@ -104,6 +104,21 @@ fn cells() {
 }
 
 #[test]
+fn a_cost_is_asked_about_at_its_row() {
+    let state = selected(Selection::Nothing, 0);
+    let asked = |cost| of_cost(&state, cost).map(|offer| offer.question);
+    assert_eq!(asked(Cost::Makespan), Some(Question::Makespan));
+    assert_eq!(asked(Cost::SumOfCosts), Some(Question::SumOfCosts));
+    assert_eq!(
+        asked(Cost::Charges),
+        Some(Question::Charges { agent: None })
+    );
+    assert_eq!(asked(Cost::Waits), None, "it is not minimised");
+    let stale = crate::reduce::tests::after(&state, [Action::Edit(crate::Edit::RemoveAgent(0))]);
+    assert_eq!(of_cost(&stale, Cost::Makespan), None);
+}
+
+#[test]
 fn nothing_is_asked_of_a_stale_plan() {
     let state = selected(Selection::Nothing, 0);
     check(&state, &[PLAN]);

@@ -1,14 +1,16 @@
 //! Who is on the board, with all that moves.
 
+mod aside;
+
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_formats::Heading;
-use giveway_model::check::Rule;
-use giveway_model::{Agent, Cell};
+use giveway_model::Agent;
 
-use super::{Mark, Pose, Track, Way, marks_with};
-use crate::{Answer, Draft, State, form, inside};
+use super::{Mark, Pose, Track, Way, marks_with, nose};
+use crate::{Answer, Draft, State, form};
+use aside::{Aside, aside, asides};
 use giveway_model::sorting::sort;
 
 /// The agents of a draft and what they do by the plan shown, if any.
@@ -20,6 +22,8 @@ pub struct Cast {
     pub looks: Vec<usize>,
     /// What stands on the form of each: no two have the same.
     pub badges: Vec<String>,
+    /// What stands on the form of each, or beside it, where cells are small.
+    pub numbers: Vec<String>,
     /// What each does.
     pub tracks: Vec<Track>,
     /// The way of each.
@@ -31,6 +35,8 @@ pub struct Cast {
     pub is_there: Vec<bool>,
     /// Who is on one cell with others, and when: of a plan of elsewhere.
     asides: BTreeMap<usize, Vec<Aside>>,
+    /// The steps of a quarter turn of each; 0 where turns are free.
+    quarters: Vec<u32>,
     /// The answer that holds the plan.
     answer: Option<Rc<Answer>>,
     /// Where each agent stands in that plan; `None` for one of which it has none.
@@ -44,6 +50,7 @@ impl PartialEq for Cast {
             && self.looks == other.looks
             && self.is_there == other.is_there
             && self.planned == other.planned
+            && self.quarters == other.quarters
             && same(self.answer.as_ref(), other.answer.as_ref())
     }
 }
@@ -98,22 +105,28 @@ impl Cast {
             let track = track
                 .between(from, until)
                 .breaking_down(breakdowns.to_vec());
-            match answer.and_then(|answer| headings(state, answer, &agent.name)) {
-                Some(headings) => track.turning(headings),
+            if let Some(headings) = answer.and_then(|answer| headings(state, answer, &agent.name)) {
+                return track.turning(headings);
+            }
+            match nose::headings(draft.scene(), agent, track.path()) {
+                Some(headings) => track.facing(headings),
                 None => track,
             }
         };
+        let quarters = nose::quarters(draft);
         let tracks: Vec<Track> = agents.iter().enumerate().map(track).collect();
         let badges = badges(&agents);
         Self {
             ways: ways(&tracks, &is_there),
             marks: marks_of(&agents, &tracks, &badges, &is_there),
+            numbers: numbers(&agents),
             badges,
             asides: answer.map_or_else(BTreeMap::new, |answer| asides(state, answer, &agents)),
             looks: state.looks(),
             tracks,
             agents,
             is_there,
+            quarters,
             answer: answer.cloned(),
             planned,
         }
@@ -126,6 +139,7 @@ impl Cast {
         self.agents == draft.agents()
             && self.looks == state.looks()
             && self.is_there == there(state)
+            && self.quarters == nose::quarters(draft)
             && same(self.answer.as_ref(), answer)
             && answer.is_none_or(|answer| answer.agents_of(draft) == self.planned)
     }
@@ -141,80 +155,6 @@ impl Cast {
     pub const fn has_plan(&self) -> bool {
         self.answer.is_some()
     }
-}
-
-/// A time at which an agent is on one cell with others: its place among them from the
-/// left, and how many they are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Aside {
-    time: f64,
-    place: usize,
-    count: usize,
-}
-
-/// How much smaller two robots on one cell are drawn, and how far apart in cells.
-const TWO: (f64, f64) = (0.74, 0.44);
-
-/// The broken rules that are looked at.
-const MOST_MEETINGS: usize = 1000;
-
-/// Who is on one cell with others, by the rules that a plan of elsewhere or of one's own
-/// breaks, or by the conflict of a node that is looked at.
-fn asides(state: &State, answer: &Rc<Answer>, agents: &[Agent]) -> BTreeMap<usize, Vec<Aside>> {
-    let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
-    if let Some((pair, time)) = inside::two_on_a_cell(state, answer) {
-        for (place, agent) in pair.into_iter().enumerate() {
-            let (time, count) = (f64::from(time), pair.len());
-            asides.insert(agent, vec![Aside { time, place, count }]);
-        }
-        return asides;
-    }
-    let plans = state.audit().into_iter().flat_map(|audit| &audit.plans);
-    let mut own = plans.filter(|dropped| Rc::ptr_eq(&dropped.answer, answer));
-    let led = state.document.mode.steering();
-    let led = led.filter(|led| Rc::ptr_eq(&led.answer, answer));
-    let of_led = led.into_iter().flat_map(|led| &led.violations);
-    let violations = own
-        .next()
-        .into_iter()
-        .flat_map(|dropped| &dropped.violations)
-        .chain(of_led);
-    let meets = violations
-        .filter(|violation| violation.rule == Rule::Vertex)
-        .take(MOST_MEETINGS);
-    let mut groups: BTreeMap<(u32, Option<Cell>), Vec<usize>> = BTreeMap::new();
-    for violation in meets {
-        let group = groups.entry((violation.time, violation.cell)).or_default();
-        let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
-        for agent in violation.agents.iter().filter_map(index) {
-            if !group.contains(&agent) {
-                group.push(agent);
-            }
-        }
-    }
-    for ((time, _), group) in &groups {
-        for (place, &agent) in group.iter().enumerate() {
-            asides.entry(agent).or_default().push(Aside {
-                time: f64::from(*time),
-                place,
-                count: group.len(),
-            });
-        }
-    }
-    asides
-}
-
-/// How far an agent makes way at a time: wholly when both are on the cell, and the
-/// less the further away that time is.
-fn aside(times: &[Aside], time: f64) -> Option<(f64, f64)> {
-    let share = |aside: &Aside| 1.0 - 2.0 * (time - aside.time).abs();
-    let near = times.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
-    let share = share(near);
-    let gaps = near.count.saturating_sub(1).max(1) as f64;
-    let side = near.place as f64 / gaps - 0.5;
-    // More than two share the room of two.
-    let (scale, apart) = (TWO.0 / gaps.sqrt(), TWO.1 * (2.0 - 1.0 / gaps).min(1.3));
-    (share > 0.0).then_some((side * apart * share, 1.0 - (1.0 - scale) * share))
 }
 
 /// Where an agent of a plan of elsewhere looks at each time, where it turns in
@@ -253,6 +193,11 @@ fn ways(tracks: &[Track], is_there: &[bool]) -> Vec<Way> {
         false => Track::default(),
     });
     Way::of_all(&shown.collect::<Vec<Track>>())
+}
+
+fn numbers(agents: &[Agent]) -> Vec<String> {
+    let names: Vec<&str> = agents.iter().map(|agent| agent.name.as_str()).collect();
+    form::numbers(&names)
 }
 
 /// What stands on the forms of some agents.

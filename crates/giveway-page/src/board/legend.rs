@@ -3,6 +3,7 @@
 use giveway_model::{Ground, tr};
 
 use super::{Cast, MarkKind, SpotSign, Track};
+use crate::rules::in_clash_robots;
 use crate::{State, freedom};
 
 /// A sign of the board.
@@ -40,8 +41,12 @@ pub enum Kind {
     Waypoint,
     /// The way ahead.
     Ahead,
+    /// The shortest way of a robot that has no plan.
+    Shortest,
     /// A wait.
     Wait,
+    /// A turn in a step of its own.
+    Turn,
     /// A breakdown.
     Broken,
     /// A cell that is used much.
@@ -88,7 +93,9 @@ impl Kind {
             Self::Goal => tr!("Goal"),
             Self::Waypoint => tr!("Waypoint, filled once visited"),
             Self::Ahead => tr!("Way ahead"),
+            Self::Shortest => tr!("Shortest way, without rules and other robots"),
             Self::Wait => tr!("Waits"),
+            Self::Turn => tr!("a sign on the board" => "Turns here"),
             Self::Broken => tr!("Broken down"),
             Self::Used => tr!("Darker: used more often"),
             Self::Must => tr!("In every best plan"),
@@ -128,8 +135,9 @@ impl Kind {
             Self::Slow => "k-slow",
             Self::Goal => "k-goal",
             Self::Waypoint => "k-wp",
-            Self::Ahead => "k-ahead",
+            Self::Ahead | Self::Shortest => "k-ahead",
             Self::Wait => "k-wait",
+            Self::Turn => "k-turn",
             Self::Broken => "k-broken",
             Self::Used => "k-used",
             Self::Must => "k-must",
@@ -187,7 +195,9 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::Goal, has_mark(MarkKind::Goal)),
         (Kind::Waypoint, has_mark(MarkKind::Waypoint)),
         (Kind::Ahead, state.view.layers.trails && moves),
+        (Kind::Shortest, !in_clash_robots(state).is_empty()),
         (Kind::Wait, cast.tracks.iter().any(Track::has_waits)),
+        (Kind::Turn, cast.tracks.iter().any(Track::has_turns)),
         (Kind::Used, state.view.layers.heat && moves),
     ];
     signs

@@ -1,6 +1,7 @@
 //! What the board shows: pure functions from the state to shapes, names and
 //! motion. Lengths are in units, 100 a cell; `y` goes down.
 
+mod beside;
 mod camera;
 mod cast;
 mod floor;
@@ -9,6 +10,7 @@ mod hit;
 mod legend;
 mod minimap;
 mod names;
+mod nose;
 mod place;
 mod reasons;
 mod rules;
@@ -16,24 +18,33 @@ mod shade;
 mod star;
 #[cfg(test)]
 mod tests;
+mod tip;
+mod waypoints;
+mod zones;
 
+pub use beside::{Side, sides};
 pub use camera::{Camera, Frame, MAX_CELL_PX, PRESENTED_CELL_PX};
 pub use cast::{Cast, badges};
 pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;
 pub use giveway_picture::{
-    Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, Way,
-    WayEnds, lines, marks, marks_with, of_badge,
+    Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, TurnSide,
+    Way, WayEnds, lines, marks, marks_with, of_badge,
 };
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};
 pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
+pub use nose::{Nose, degrees, nose, quarter};
 pub(crate) use place::place_of;
 pub use reasons::{Instead, Later, Place, Reasons, Spot, SpotSign, Try, lit, reasons};
 pub use rules::{
-    LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, rule_shapes, rules_now,
+    KeptShape, LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, kept_free,
+    rule_shapes, rules_now,
 };
 pub(crate) use shade::shade;
 pub(crate) use star::middle;
 pub use star::{ConflictPlace, Star};
+pub use tip::{Tip, TipLine, tip, tip_corner};
+pub use waypoints::waypoint_numbers;
+pub use zones::{TabParts, tab_parts, zone_at};

@@ -37,11 +37,36 @@ impl Window {
             let reach = SIDE / 2 - STEP;
             let middle = middle.clamp(at.saturating_sub(reach), at + reach);
             let first = middle.saturating_sub(SIDE / 2) / STEP * STEP;
-            let first = first.min(side - SIDE);
-            (first, SIDE)
+            (first.min(side - SIDE), SIDE)
         };
         let (x, width) = part(cursor.x, columns, board.0);
         let (y, height) = part(cursor.y, rows, board.1);
+        Self {
+            first: Cell::new(x, y),
+            size: (width, height),
+        }
+    }
+
+    /// This window as long as it reaches around a cell, else one with that in its middle: a hand
+    /// that goes over the map does not rename what it passes.
+    #[must_use]
+    pub fn reaching(self, cursor: Cell, board: (u32, u32)) -> Self {
+        let reaches = |at: u32, first: u32, size: u32, side: u32| {
+            let end = first + size;
+            let is_before_end = at + 1 < end || (end >= side && at < end);
+            (at > first || (first == 0 && at == 0)) && is_before_end && end <= side
+        };
+        let part = |at: u32, first: u32, size: u32, side: u32| {
+            if reaches(at, first, size, side) {
+                (first, size)
+            } else if side <= SIDE {
+                (0, side)
+            } else {
+                (at.saturating_sub(SIDE / 2).min(side - SIDE), SIDE)
+            }
+        };
+        let (x, width) = part(cursor.x, self.first.x, self.size.0, board.0);
+        let (y, height) = part(cursor.y, self.first.y, self.size.1, board.1);
         Self {
             first: Cell::new(x, y),
             size: (width, height),

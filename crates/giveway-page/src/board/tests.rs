@@ -161,3 +161,27 @@ fn of_a_small_map_all_cells_have_names_of_a_large_one_those_in_sight() {
         assert!(has(x, 0) && has(x, 20) && has(x, 39), "{x}");
     }
 }
+
+#[test]
+fn a_hand_over_a_large_map_keeps_the_names_as_long_as_it_is_among_them() {
+    let board = (256, 40);
+    let frame = Camera::default().frame(board, (900.0, 400.0));
+    let mut window = Window::around(Cell::new(0, 0), &frame, board);
+    let mut changes = 0;
+    for x in 0..256 {
+        let next = window.reaching(Cell::new(x, 20), board);
+        // The cell has names around it, as far as there are cells.
+        for near in [x.saturating_sub(1), x, (x + 1).min(255)] {
+            assert!(next.columns().contains(&near), "{near} beside {x}");
+        }
+        assert!(next.rows().contains(&20));
+        assert_eq!(next.size, (32, 32));
+        changes += u32::from(next != window);
+        window = next;
+    }
+    assert!(changes <= 256 / 16, "{changes} windows");
+    // Of a map that got smaller it reaches too far.
+    let small = (200, 40);
+    let next = window.reaching(Cell::new(199, 20), small);
+    assert!(next.columns().end <= 200);
+}

@@ -53,9 +53,18 @@ impl Comparing {
         let least = told.methods.0.iter().filter_map(|(_, told)| value(told));
         let least = least.min();
         let before = told.before;
+        // The other methods with the same plan.
+        let also = |method: Method, of: &MethodAnswer| {
+            let plan = of.result.plan.as_ref();
+            let others = told.methods.0.iter().filter(|(other, told)| {
+                *other != method && plan.is_some() && told.result.plan.as_ref() == plan
+            });
+            let mut others = others.map(|(other, _)| *other);
+            [others.next(), others.next()]
+        };
         let tried = |(method, told): (Method, MethodAnswer)| Tried {
             is_least: least.is_some() && value(&told) == least,
-            answer: preview(changing, method, before, &told),
+            answer: preview(changing, (method, also(method, &told)), before, &told),
             method,
             told,
         };
@@ -99,7 +108,7 @@ fn objective(changing: &Changing) -> Vec<Cost> {
 
 fn preview(
     changing: &Changing,
-    method: Method,
+    (method, also): (Method, [Option<Method>; 2]),
     before: Option<Costs>,
     told: &MethodAnswer,
 ) -> Option<Rc<Answer>> {
@@ -112,6 +121,7 @@ fn preview(
     steps.push(Adopted {
         at: changing.at,
         method: Some(method),
+        also,
         before,
         after: told.result.costs,
     });

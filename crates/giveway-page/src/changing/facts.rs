@@ -4,9 +4,12 @@ use giveway_model::change::{ConstraintRef, What};
 use giveway_model::{Constraint, Fault, tr};
 
 use super::Changing;
+use super::breakdown::{Breakdown, breakdowns};
 use super::listed::whose;
+use super::meets::meets;
+use super::stopped::obstacle_of;
 use crate::course::Course;
-use crate::words::change;
+use crate::words::{at, change};
 use crate::{Answer, State};
 
 /// What the inspector tells while the world changes.
@@ -19,6 +22,12 @@ pub struct Facts {
     /// The rules of the scene that are in force and not removed: each with its index, the icon
     /// of its kind, and its sentence.
     pub rules: Vec<(usize, &'static str, String)>,
+    /// What would go wrong if everyone went on as planned, in sentences.
+    pub meets: Vec<String>,
+    /// The breakdowns among what is listed.
+    pub breakdowns: Vec<Breakdown>,
+    /// What would go wrong without them.
+    pub warnings: Vec<String>,
     /// Whether the methods have answered.
     pub is_compared: bool,
     /// The first plan and how it went on.
@@ -28,6 +37,8 @@ pub struct Facts {
 /// A listed change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listed {
+    /// Its place in the list.
+    pub index: usize,
     /// The index of the agent whose it is.
     pub agent: Option<usize>,
     /// The icon of what is no agent's.
@@ -68,12 +79,9 @@ pub fn facts(state: &State) -> Option<Facts> {
             }
         }),
     });
+    let meets = meets(changing);
     let rules = &state.document.draft.scene().constraints;
-    let is_removed = |index: usize| {
-        changing.list.iter().any(|what| {
-            matches!(what, What::RemoveConstraint { constraint: ConstraintRef::Index(of) } if *of as usize == index)
-        })
-    };
+    let is_removed = |index: usize| changing.removes_rule(index);
     let in_force = rules.iter().enumerate();
     let in_force = in_force.filter(|(index, rule)| !rule.off && !is_removed(*index));
     Some(Facts {
@@ -81,30 +89,72 @@ pub fn facts(state: &State) -> Option<Facts> {
             .map(|(index, rule)| (index, rule.kind_name(), rule.sentence()))
             .collect(),
         at: changing.at,
-        list: changing
-            .list
+        list: list(changing, rules),
+        warnings: meets
             .iter()
-            .map(|what| listed(changing, what, rules))
+            .filter(|(index, _)| !changing.is_of_breakdown(*index))
+            .map(|(_, text)| text.clone())
             .collect(),
+        meets: meets.into_iter().map(|(_, text)| text).collect(),
+        breakdowns: breakdowns(changing),
         is_compared: compared.is_some(),
         history: past,
     })
 }
 
-fn listed(changing: &Changing, what: &What, rules: &[Constraint]) -> Listed {
+/// How many changes are listed, as they are told: a robot that breaks down for good is one with the
+/// obstacle that it becomes.
+pub(crate) fn count(changing: &Changing) -> usize {
+    let plan = changing.about.plan();
+    let all = 0..changing.list.len();
+    let taken =
+        all.filter(|&index| obstacle_of(plan, &changing.list, changing.at, index).is_some());
+    changing.list.len() - taken.count()
+}
+
+/// What is listed; a robot that breaks down for good and the obstacle that it becomes are one.
+fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
+    let plan = changing.about.plan();
+    let stops = |index: usize| obstacle_of(plan, &changing.list, changing.at, index);
+    let whats = || changing.list.iter().enumerate();
+    let taken: Vec<usize> = whats()
+        .filter_map(|(index, _)| stops(index))
+        .map(|stop| stop.0)
+        .collect();
+    let shown = whats().filter(|(index, _)| !taken.contains(index));
+    let one = |(index, what): (usize, &What)| {
+        let listed = listed(changing, index, what, rules);
+        match (stops(index), whose(what)) {
+            (Some((_, cell)), Some(agent)) => Listed {
+                text: tr!(
+                    "{agent} breaks down for good at {cell}",
+                    agent,
+                    cell = at(cell)
+                ),
+                detail: Some(tr!("it stays there as an obstacle").to_owned()),
+                ..listed
+            },
+            _ => listed,
+        }
+    };
+    shown.map(one).collect()
+}
+
+fn listed(changing: &Changing, index: usize, what: &What, rules: &[Constraint]) -> Listed {
     let name = whose(what);
     let mut agents = changing.draft().agents().iter();
-    let (text, detail) = change::sentence(what);
+    let (text, detail) = what.sentence();
     let (text, detail) = match what {
         What::RemoveConstraint {
-            constraint: ConstraintRef::Index(index),
-        } => match rules.get(*index as usize) {
+            constraint: ConstraintRef::Index(rule),
+        } => match rules.get(*rule as usize) {
             Some(rule) => (tr!("Rule removed").to_owned(), Some(rule.sentence())),
             None => (text, detail),
         },
         _ => (text, detail),
     };
     Listed {
+        index,
         agent: name.and_then(|name| agents.position(|agent| agent.name == name)),
         icon: match what {
             What::AddObstacle { .. } | What::RemoveObstacle { .. } | What::MoveObstacle { .. } => {
@@ -138,7 +188,7 @@ pub fn history(answer: &Answer) -> Vec<Past> {
         detail: costs(first),
     }];
     for step in &course.steps {
-        let method = step.method.map(change::method_in_words);
+        let method = change::methods_in_words(step);
         past.push(Past {
             at: step.at,
             text: texts(changes_of(course, step.at)),
@@ -160,7 +210,7 @@ fn changes_of(course: &Course, at: u32) -> impl Iterator<Item = &What> {
 
 /// The first of some changes in words, and how many more there are.
 pub(crate) fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
-    let first = whats.next().map(|what| change::sentence(what).0);
+    let first = whats.next().map(|what| what.sentence().0);
     let first = first.unwrap_or_default();
     match whats.count() {
         0 => first,
@@ -180,7 +230,7 @@ pub(crate) fn contradiction(fault: &Fault) -> String {
     )
 }
 
-/// What becomes of an agent in the plan that is previewed: `re-timed`, `joins at
+/// What becomes of an agent in the plan that is previewed: `new times`, `joins at
 /// 2`; `None` while none is, and for one that is removed.
 pub fn fate(state: &State, name: &str) -> Option<String> {
     let compared = state.document.mode.comparing()?;
@@ -191,9 +241,9 @@ pub fn fate(state: &State, name: &str) -> Option<String> {
         return Some(tr!("joins at {time}", time = changing.at));
     }
     let fates = [
-        (tr!("a robot was" => "kept"), &told.kept),
-        (tr!("a robot was" => "re-timed"), &told.retimed),
-        (tr!("a robot was" => "re-routed"), &told.rerouted),
+        (tr!("behind a robot" => "as before"), &told.kept),
+        (tr!("behind a robot" => "new times"), &told.retimed),
+        (tr!("behind a robot" => "new path"), &told.rerouted),
     ];
     let found = fates.iter().find(|(_, names)| is_in(names));
     found.map(|(fate, _)| (*fate).to_owned())

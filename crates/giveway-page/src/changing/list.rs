@@ -1,8 +1,10 @@
 //! The list of changes with one more, or one less: as far as the world allows it.
 
+use giveway_model::Battery;
 use giveway_model::change::What;
 use giveway_model::words::Sentence;
 
+use super::stopped::obstacle_of;
 use super::{Changing, facts, listed};
 use crate::edit::{Edit, world};
 
@@ -10,10 +12,28 @@ impl Changing {
     /// The list with what edits ask for, as far as the world allows it; with why
     /// a part of it was refused.
     pub(crate) fn with_edits(&self, edits: &[Edit]) -> (Self, Option<Sentence>) {
+        if let [Edit::SetBattery(agent, battery)] = edits
+            && let Some(list) = self.with_battery(*agent, *battery)
+        {
+            return match self.with(list) {
+                Ok(after) => (after, None),
+                Err(faults) => {
+                    let fault = faults.first();
+                    (
+                        self.clone(),
+                        fault.map(|fault| facts::contradiction(fault).into()),
+                    )
+                }
+            };
+        }
         let mut refused = None;
         let mut parts = Vec::new();
         for edit in edits {
-            match world::changes(edit, self.draft()) {
+            let made = match edit {
+                Edit::Stop(agent) => self.stop(*agent),
+                edit => world::changes(edit, self.draft()),
+            };
+            match made {
                 Ok(part) => parts.push(part),
                 Err(sentence) => refused = refused.or(Some(sentence)),
             }
@@ -47,6 +67,18 @@ impl Changing {
         (after, refused)
     }
 
+    /// The list with another battery of an agent that joins by it; `None` for any other agent.
+    fn with_battery(&self, agent: usize, battery: Option<Battery>) -> Option<Vec<What>> {
+        let name = &self.draft().agents().get(agent)?.name;
+        let mut list = self.list.clone();
+        let joins = list.iter_mut().find_map(|what| match what {
+            What::AddAgent { agent } if agent.name == *name => Some(agent),
+            _ => None,
+        });
+        joins?.battery = battery;
+        Some(list)
+    }
+
     /// The list without one change, and without those that then contradict the
     /// world; with the number of these.
     pub(crate) fn without(&self, index: usize) -> (Self, usize) {
@@ -55,6 +87,9 @@ impl Changing {
             Err(_) => self.clone(),
         };
         let mut lost = 0;
+        // A robot that breaks down for good takes its obstacle along.
+        let obstacle = obstacle_of(self.about.plan(), &self.list, self.at, index);
+        let obstacle = obstacle.map(|(index, _)| index);
         let taken = self.list.get(index);
         let joins = match taken {
             Some(What::AddAgent { agent }) => Some(agent.name.as_str()),
@@ -62,7 +97,7 @@ impl Changing {
         };
         for (other, what) in self.list.iter().enumerate() {
             let goes = joins.is_some() && listed::whose(what) == joins;
-            if other == index || goes {
+            if other == index || Some(other) == obstacle || goes {
                 continue;
             }
             let mut list = after.list.clone();

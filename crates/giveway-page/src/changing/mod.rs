@@ -4,16 +4,20 @@
 //! The past is frozen: it can be looked at, and every change is one of the time
 //! at which the world changes.
 
+mod breakdown;
 mod columns;
 mod compared;
 mod facts;
 mod list;
 mod listed;
+mod meets;
 mod offers;
+mod stopped;
+mod travelled;
 
 use std::rc::Rc;
 
-use giveway_model::change::{Change, Changes, History, What};
+use giveway_model::change::{Change, Changes, ConstraintRef, History, What};
 use giveway_model::{Fault, Version};
 use giveway_solve::Limits;
 use giveway_solve::change::{ChangeRequest, Method};
@@ -21,11 +25,15 @@ use giveway_solve::change::{ChangeRequest, Method};
 use crate::course::World;
 use crate::{Answer, Draft, Settings};
 
+pub use breakdown::{Blank, Breakdown, Filled, Piece};
 pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
 pub use compared::{Comparing, Tried};
-pub(crate) use facts::texts;
 pub use facts::{Facts, Listed, Past, facts, fate, history};
+pub(crate) use facts::{count, texts};
+pub(crate) use meets::inside;
 pub use offers::{Offers, offers};
+pub use stopped::{Stopped, stopped};
+pub(crate) use travelled::travelled;
 
 /// The world changes at a time, and this is how.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,6 +151,13 @@ impl Changing {
             list,
             world: World::of(&after, self.about.draft.scene(), self.at),
             ..self.clone()
+        })
+    }
+
+    /// Whether a rule of the scene, by its index, is removed from now on.
+    pub(crate) fn removes_rule(&self, rule: usize) -> bool {
+        self.list.iter().any(|what| {
+            matches!(what, What::RemoveConstraint { constraint: ConstraintRef::Index(of) } if *of as usize == rule)
         })
     }
 

@@ -1,9 +1,10 @@
 //! What can be changed of an agent beside the board: its battery, a breakdown, waypoints.
 
-use giveway_model::Cell;
 use giveway_model::change::What;
+use giveway_model::{Battery, Cell};
 
 use super::listed::whose;
+use super::stopped::place;
 use crate::State;
 use crate::timeline::Lane;
 
@@ -16,6 +17,10 @@ pub struct Offers {
     pub name: String,
     /// Its battery's level then, and the capacity; `None` without a battery.
     pub level: Option<(u32, u32)>,
+    /// The battery of one that joins; `None` for any other one.
+    pub battery: Option<Option<Battery>>,
+    /// Where it stands; `None` in transit.
+    pub place: Option<Cell>,
     /// The breakdown that is listed, in steps.
     pub delay: Option<u32>,
     /// The waypoints that it has still to visit.
@@ -58,11 +63,21 @@ pub fn offers(state: &State, agent: usize) -> Option<Offers> {
         };
         changing.list.contains(&what)
     };
+    let joins = changing
+        .list
+        .iter()
+        .any(|what| matches!(what, What::AddAgent { agent } if agent.name == who.name));
     let waypoints = who.waypoints.iter().copied();
     Some(Offers {
         at: changing.at,
         name: who.name.clone(),
-        level: who.battery.map(|battery| {
+        battery: joins.then_some(who.battery),
+        place: changing
+            .about
+            .plan()
+            .filter(|_| !joins)
+            .and_then(|plan| place(plan, &who.name, changing.at)),
+        level: who.battery.filter(|_| !joins).map(|battery| {
             let now = level.or(now).unwrap_or(battery.initial);
             (now, battery.capacity)
         }),

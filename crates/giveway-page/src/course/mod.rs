@@ -29,6 +29,8 @@ pub struct Adopted {
     pub at: u32,
     /// The method.
     pub method: Option<Method>,
+    /// The other methods that found the same plan.
+    pub also: [Option<Method>; 2],
     /// The costs of the plan before.
     pub before: Option<Costs>,
     /// The costs of the plan from then on.

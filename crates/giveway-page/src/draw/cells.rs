@@ -1,5 +1,6 @@
 //! The cells that a shape covers between two cells.
 
+use giveway_model::fleet::straight;
 use giveway_model::{Cell, Grid, Ground};
 
 use super::{Drawing, Measure, Shape};
@@ -62,27 +63,6 @@ fn spaced(area: Area, every: u32) -> impl Iterator<Item = Cell> {
             && (cell.y - area.corner.y).is_multiple_of(every)
     };
     area.cells().filter(is_kept)
-}
-
-/// A straight line in the one of eight directions that is nearest.
-pub(crate) fn straight(from: Cell, to: Cell) -> impl Iterator<Item = Cell> {
-    let (across, down) = (from.x.abs_diff(to.x), from.y.abs_diff(to.y));
-    let (x, y, steps) = if 2 * down < across {
-        (true, false, across)
-    } else if 2 * across < down {
-        (false, true, down)
-    } else {
-        // Both ends of a diagonal lie on the map.
-        (true, true, across.min(down))
-    };
-    (0..=steps).map(move |step| {
-        let go = |from: u32, to: u32, moves: bool| match moves {
-            true if to > from => from + step,
-            true => from.saturating_sub(step),
-            false => from,
-        };
-        Cell::new(go(from.x, to.x, x), go(from.y, to.y, y))
-    })
 }
 
 /// The cells of the same ground that are connected with a cell by their sides.

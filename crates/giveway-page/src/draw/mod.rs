@@ -10,7 +10,7 @@ use giveway_model::tr;
 
 use crate::Tool;
 
-pub(crate) use cells::{Drawn, drawn, straight};
+pub(crate) use cells::{Drawn, drawn};
 pub use row::{Field, Row, row};
 
 /// What a stroke of a tool that paints covers.

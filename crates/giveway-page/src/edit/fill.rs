@@ -1,9 +1,9 @@
 //! A scene by chance.
 
+use giveway_model::parts::Parts;
 use giveway_model::{Agent, Ground};
 
 use super::{Sketch, fresh_name};
-use crate::problems::Parts;
 
 /// The densest that obstacles are strewn, in percent of the cells.
 pub const DENSEST: u32 = 60;

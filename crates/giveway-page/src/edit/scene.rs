@@ -35,12 +35,11 @@ impl Sketch {
                 }
                 self.scene.agents.push(agent.clone());
             }
+            Edit::PaintCells(paint, cells) => self.paint_all(*paint, cells),
             Edit::AddAgents(agents) => self.scene.agents.extend(agents.iter().cloned()),
-            Edit::RemoveAgent(agent) => {
-                if *agent < self.scene.agents.len() {
-                    self.scene.agents.remove(*agent);
-                }
-            }
+            Edit::PutAgents(agents) => self.put_agents(agents),
+            Edit::RemoveAgents(gone) => self.remove_agents(gone),
+            Edit::RemoveAgent(agent) => self.remove_agents(&BTreeSet::from([*agent])),
             Edit::SetStart(agent, to) => {
                 let name = self.name(*agent);
                 self.stand(&name, *to, tr_data!("a robot cannot" => "start"))?;
@@ -88,7 +87,9 @@ impl Sketch {
                     battery.initial = (*level).min(battery.capacity);
                 }
             }),
-            Edit::Delay(..) => return Err(tr_data!("A delay needs a plan that runs.")),
+            Edit::Delay(..) | Edit::Stop(_) => {
+                return Err(tr_data!("A delay needs a plan that runs."));
+            }
             Edit::Rename(agent, name) => {
                 let name = short(name);
                 if !name.is_empty() {
@@ -96,8 +97,9 @@ impl Sketch {
                     self.agent(*agent, |a| a.name = name);
                 }
             }
-
+            Edit::Face(agent, heading) => self.agent(*agent, |a| a.heading = *heading),
             Edit::Name(name) => self.scene.name = short(name),
+            Edit::Units(units) => self.scene.units = *units,
             Edit::Resize(width, height) => self.resize(*width, *height),
             Edit::Clear => {
                 let (width, height) = (self.grid.width(), self.grid.height());
@@ -112,6 +114,8 @@ impl Sketch {
             Edit::BatteryFloor(floor) => self.scene.rules.battery_floor = *floor,
             Edit::WeakenRule(rule, weaker) => self.weaken(*rule, *weaker),
             Edit::Rules(edit) => return self.make_of_rules(edit),
+            Edit::Grow(to, lost) => self.grow(*to, *lost),
+            Edit::Area(edit) => return self.make_of_area(edit),
             Edit::Within(_) | Edit::Recolour(..) => {}
         }
         Ok(())
@@ -180,6 +184,14 @@ impl Sketch {
         }
         self.grid.set_ground(at, new);
         Ok(())
+    }
+
+    /// Paints cells; what a robot needs stays as it is.
+    fn paint_all(&mut self, paint: Paint, cells: &[Cell]) {
+        for &cell in cells {
+            // What is refused is told before it is drawn.
+            let _ = self.paint(paint, cell, true);
+        }
     }
 
     fn move_paint(&mut self, paint: Paint, from: Cell, to: Cell) -> Result<(), Sentence> {
@@ -263,7 +275,7 @@ const fn both(charger: bool, slow: bool) -> Ground {
 }
 
 /// A free map.
-fn free(width: u32, height: u32) -> Grid {
+pub(super) fn free(width: u32, height: u32) -> Grid {
     let row = ".".repeat(width as usize);
     Grid::from_rows(&vec![row; height as usize]).unwrap_or_default()
 }
@@ -275,14 +287,7 @@ pub(super) fn short(name: &str) -> String {
 
 /// A name that no agent has: `A7`, of the least free number.
 pub(crate) fn fresh_name(scene: &Scene) -> String {
-    fresh_names(scene, 1).pop().unwrap_or_default()
-}
-
-/// So many names that no agent has, of the least free numbers.
-pub(crate) fn fresh_names(scene: &Scene, count: usize) -> Vec<String> {
-    let names = scene.agents.iter().map(|agent| agent.name.as_str());
-    let taken: BTreeSet<&str> = names.collect();
-    let names = (1..=scene.agents.len() + count).map(|number| format!("A{number}"));
-    let free = names.filter(|name| !taken.contains(name.as_str()));
-    free.take(count).collect()
+    giveway_model::fleet::fresh_names(&scene.agents, 1)
+        .pop()
+        .unwrap_or_default()
 }

@@ -82,10 +82,17 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         Edit::Rules(RuleEdit::Remove(rule)) => What::RemoveConstraint {
             constraint: ConstraintRef::Index(u32::try_from(*rule).unwrap_or(u32::MAX)),
         },
-        Edit::SetBattery(_, None)
+        // Where it stands then the world as it is at a time does not know.
+        Edit::Stop(_)
+        | Edit::SetBattery(_, None)
         | Edit::Rename(..)
+        | Edit::Face(..)
         | Edit::Name(_)
+        | Edit::Units(_)
         | Edit::AddAgents(_)
+        | Edit::PaintCells(..)
+        | Edit::PutAgents(_)
+        | Edit::RemoveAgents(_)
         | Edit::Resize(..)
         | Edit::Clear
         | Edit::Fill(_)
@@ -93,7 +100,9 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         | Edit::AtGoal(_)
         | Edit::BatteryFloor(_)
         | Edit::WeakenRule(..)
-        | Edit::Rules(_) => {
+        | Edit::Rules(_)
+        | Edit::Area(_)
+        | Edit::Grow(..) => {
             return Err(tr_data!("This cannot change while a plan runs."));
         }
         Edit::Within(_) | Edit::Recolour(..) => return Ok(Vec::new()),

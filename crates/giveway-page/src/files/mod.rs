@@ -26,8 +26,11 @@ pub(crate) use kind::is_read_here;
 pub use blank::blank;
 pub use course::Together;
 pub use dropped::read_beside;
-pub use save::{Saved, changes_file, kept_file, picture_name, plan_file, scene_file, trace_file};
-pub(crate) use save::{certificate_name, freedom_name};
+pub use save::{
+    Saved, changes_file, kept_file, picture_name, plan_file, robots_file, scene_file, sizing_file,
+    trace_file,
+};
+pub(crate) use save::{certificate_name, freedom_name, name_of};
 pub use scenario::Choice;
 
 /// The largest file that is read, in bytes.

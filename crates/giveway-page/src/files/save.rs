@@ -49,6 +49,29 @@ pub fn plan_file(state: &State) -> Option<Saved> {
     })
 }
 
+/// The robots of the scene as a table for spreadsheets; `None` without any.
+///
+/// ```
+/// use giveway_page::{Draft, State, files};
+/// assert_eq!(files::robots_file(&State::new(Draft::default())), None);
+/// ```
+pub fn robots_file(state: &State) -> Option<Saved> {
+    let scene = state.document.draft.scene();
+    (!scene.agents.is_empty()).then(|| Saved {
+        name: format!("{}-robots.csv", file_stem(&scene.name, "scene")),
+        text: crate::robots::csv(state),
+    })
+}
+
+/// How many robots the floor bears, as a table; `None` before that is known.
+pub fn sizing_file(state: &State) -> Option<Saved> {
+    let name = &state.own_document().draft.scene().name;
+    Some(Saved {
+        name: format!("{}-how-many.csv", file_stem(name, "scene")),
+        text: crate::sizing::table(state)?,
+    })
+}
+
 /// How the plan was found and proved; `None` where no record was kept.
 pub fn trace_file(state: &State) -> Option<Saved> {
     let trace = crate::inside::record(state)?;
@@ -90,6 +113,12 @@ pub fn kept_file(state: &State) -> Saved {
         name: format!("{stem}.giveway"),
         text: link::keep(state),
     }
+}
+
+/// The name of a file about the scene, such as `depot-report.html`.
+pub(crate) fn name_of(state: &State, what: &str) -> String {
+    let stem = file_stem(&state.document.draft.scene().name, "scene");
+    format!("{stem}-{what}")
 }
 
 /// The name of an archive of certificates.

@@ -54,7 +54,7 @@ fn a_broken_scene_is_told_with_file_line_and_column() {
             Fault::at(
                 "",
                 "the unknown key \"mapp\"",
-                "one of giveway, name, map, rules, objective, agents, assumptions, zones, constraints"
+                "one of giveway, name, map, rules, objective, agents, assumptions, zones, constraints, units"
             )
             .in_text(3, 3)
         ),

@@ -1,4 +1,4 @@
-//! Finding, choosing, taking: by a part of a name.
+//! Finding by a part of a name: the first, the next, the one before.
 
 use giveway_model::{Agent, Cell, Scene};
 
@@ -31,73 +31,77 @@ fn typed(text: &str) -> State {
     act(&state(), FindAction::Type(text.to_owned()))
 }
 
-fn names(state: &State) -> Vec<String> {
+/// The robot that is selected, and which of how many it is.
+fn told(state: &State) -> (String, String) {
     let found = found(state).unwrap();
-    found.matches.into_iter().map(|one| one.name).collect()
+    let name = |agent: usize| state.world().agents()[agent].name.clone();
+    if let Some(agent) = found.agent {
+        assert_eq!(state.view.selection, Selection::Agent(agent));
+    }
+    (found.agent.map_or_else(String::new, name), found.place)
+}
+
+fn is(name: &str, place: &str) -> (String, String) {
+    (name.to_owned(), place.to_owned())
 }
 
 #[test]
-fn the_best_fit_comes_first() {
-    assert_eq!(names(&typed("1")), ["R1", "R10", "R11", "R12"]);
-    assert_eq!(names(&typed(" r1 ")), ["R1", "R10", "R11", "R12"]);
-    assert_eq!(names(&typed("2")), ["R2", "R12"]);
+fn typing_selects_the_best_fit() {
+    assert_eq!(told(&typed("1")), is("R1", "1 of 4"));
+    assert_eq!(told(&typed(" r1 ")), is("R1", "1 of 4"));
+    assert_eq!(told(&typed("2")), is("R2", "1 of 2"));
+    assert_eq!(told(&typed("12")), is("R12", "1 of 1"));
     let exact = reduce(&state(), Action::Edit(Edit::Rename(0, "2".to_owned())));
     let exact = act(&exact, FindAction::Type("2".to_owned()));
-    assert_eq!(names(&exact), ["2", "R2", "R12"]);
+    assert_eq!(told(&exact).1, "1 of 3");
+    assert_eq!(told(&exact).0, "2");
 }
 
 #[test]
-fn so_many_are_told_and_some_are_listed() {
-    let sentence = |text: &str| found(&typed(text)).unwrap().sentence;
-    assert_eq!(names(&typed("")).len(), MOST);
-    assert_eq!(sentence(""), "Type a part of a name.");
-    assert_eq!(sentence("r"), "12 robots fit, the first 8 are listed.");
-    assert_eq!(sentence("12"), "1 robot fits.");
-    assert_eq!(sentence("x"), "No robot has \u{201c}x\u{201d} in its name.");
-    assert_eq!(found(&typed("12")).unwrap().matches[0].place, "at (11, 0)");
+fn where_nothing_fits_the_selection_stays() {
+    let before = typed("12");
+    let none = act(&before, FindAction::Type("x".to_owned()));
+    assert_eq!(told(&none), is("", "none"));
+    assert_eq!(none.view.selection, before.view.selection);
+    let empty = act(&before, FindAction::Type(" ".to_owned()));
+    assert_eq!(told(&empty), is("", ""));
+    let on = FindAction::Step { on: true };
+    assert_eq!(act(&none, on).view.selection, before.view.selection);
 }
 
 #[test]
-fn the_choice_goes_round() {
-    let up = FindAction::Step { down: false };
-    let down = FindAction::Step { down: true };
-    let state = act(&typed("2"), up);
-    let chosen = |state: &State| {
-        let found = found(state).unwrap();
-        found.matches.iter().position(|one| one.is_chosen)
-    };
-    assert_eq!(chosen(&state), Some(1));
-    let state = act(&state, down.clone());
-    assert_eq!(chosen(&state), Some(0));
-    // With another text the first is chosen again; without a robot there is nothing.
-    let state = act(&act(&state, down.clone()), FindAction::Type("1".to_owned()));
-    assert_eq!(chosen(&state), Some(0));
-    let none = act(&typed("x"), down);
-    assert_eq!(act(&none, FindAction::Take(None)), none);
+fn enter_goes_round() {
+    let on = || FindAction::Step { on: true };
+    let state = act(&typed("2"), on());
+    assert_eq!(told(&state), is("R12", "2 of 2"));
+    assert_eq!(told(&act(&state, on())), is("R2", "1 of 2"));
+    let before = act(&typed("2"), FindAction::Step { on: false });
+    assert_eq!(told(&before), is("R12", "2 of 2"));
+    // With another text the first is selected again.
+    let other = act(&state, FindAction::Type("1".to_owned()));
+    assert_eq!(told(&other).1, "1 of 4");
 }
 
 #[test]
 fn a_robot_is_selected_and_brought_into_view() {
-    let taken = act(&typed("1"), FindAction::Take(Some(2)));
-    assert_eq!(taken.view.selection, Selection::Agent(10));
-    assert_eq!(taken.view.find, None);
-    assert_eq!(taken.view.cursor, Cell::new(10, 0));
-    let sought = taken.view.sought.unwrap();
+    let found = typed("11");
+    assert_eq!(found.view.selection, Selection::Agent(10));
+    assert_eq!(found.view.cursor, Cell::new(10, 0));
+    let sought = found.view.sought.unwrap();
     assert_eq!(sought.cell, Cell::new(10, 0));
     // Once more: the same robot comes into view again.
-    let again = act(
-        &act(&taken, FindAction::Open),
-        FindAction::Type("11".to_owned()),
-    );
-    let again = act(&again, FindAction::Take(None));
+    let again = act(&found, FindAction::Step { on: true });
     assert_eq!(again.view.sought.unwrap().cell, sought.cell);
-    assert_ne!(again.view.sought, taken.view.sought);
+    assert_ne!(again.view.sought, found.view.sought);
+    let closed = act(&again, FindAction::Close);
+    assert_eq!(
+        (closed.view.find, closed.view.selection),
+        (None, Selection::Agent(10))
+    );
 }
 
 #[test]
 fn without_robots_there_is_none_to_find() {
     let state = act(&State::new(Draft::default()), FindAction::Open);
     assert_eq!(found(&state), None);
-    let closed = act(&typed("1"), FindAction::Close);
-    assert_eq!(found(&closed), None);
 }

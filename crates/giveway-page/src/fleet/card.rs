@@ -34,17 +34,18 @@ pub fn card(state: &State) -> Option<Card> {
         .fleet
         .as_ref()
         .filter(|_| state.can_place_fleet())?;
+    let said = &fleet.0;
     let agents = state.fleet_agents();
-    let ways = if fleet.back { 2 } else { 1 };
+    let ways = if said.back { 2 } else { 1 };
     let count = u32::try_from(agents.len() / ways).unwrap_or(u32::MAX);
     let add = tr!("Add {n} robot" | "Add {n} robots" % agents.len());
     Some(Card {
         count,
-        starts: row(fleet.starts),
-        goals: fleet.goals.map(row),
-        back: fleet.back,
-        waypoints: fleet.waypoints,
-        battery: fleet.battery,
+        starts: row(said.starts),
+        goals: said.goals.map(row),
+        back: said.back,
+        waypoints: said.waypoints,
+        battery: said.battery,
         told: told(fleet, count),
         add: (fleet.has_goals() && count > 0).then_some(add),
     })
@@ -58,7 +59,7 @@ fn row((from, to): (Cell, Cell)) -> String {
 }
 
 fn told(fleet: &Fleet, count: u32) -> String {
-    match fleet.count {
+    match fleet.0.count {
         _ if !fleet.has_goals() => tr!("Now drag over the cells where they go.").to_owned(),
         _ if count == 0 => tr!("No start there has a free goal.").to_owned(),
         Some(asked) if asked > count => {

@@ -2,7 +2,6 @@
 //! come onto the board in one step, and stand there as a preview before.
 
 mod card;
-mod plan;
 #[cfg(test)]
 mod tests;
 
@@ -41,89 +40,85 @@ pub const MOST_WAYPOINTS: u32 = 8;
 
 /// Robots that are to come onto the board.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Fleet {
-    /// Where they start: from a cell to another one.
-    starts: (Cell, Cell),
-    /// Where they go; `None` until it is drawn.
-    goals: Option<(Cell, Cell)>,
-    /// From one to the next, in cells.
-    every: u32,
-    count: Option<u32>,
-    back: bool,
-    waypoints: u32,
-    battery: Option<Battery>,
-    /// The seed of the waypoints.
-    draw: u32,
-}
+pub(crate) struct Fleet(giveway_model::fleet::Fleet);
 
 impl Fleet {
     /// Robots that start along a row; they have the battery of the last robot.
     pub(crate) fn begin(cell: Cell, every: u32, draft: &Draft) -> Self {
-        Self {
-            starts: (cell, cell),
-            goals: None,
+        Self(giveway_model::fleet::Fleet {
             every,
-            count: None,
-            back: false,
-            waypoints: 0,
             battery: draft.agents().last().and_then(|agent| agent.battery),
-            draw: 1,
-        }
+            ..giveway_model::fleet::Fleet::along(cell, cell)
+        })
+    }
+
+    /// What is said of them.
+    pub(crate) const fn said(&self) -> &giveway_model::fleet::Fleet {
+        &self.0
+    }
+
+    /// The robots, as many as there are free starts and goals for.
+    pub(crate) fn agents(&self, draft: &Draft) -> Vec<giveway_model::Agent> {
+        self.0.agents(draft.grid(), draft.agents())
     }
 
     /// The same with another distance from one to the next, in cells.
-    pub(crate) fn with_every(self, every: u32) -> Self {
-        Self { every, ..self }
+    pub(crate) fn with_every(mut self, every: u32) -> Self {
+        self.0.every = every;
+        self
     }
 
     /// Whether it is known where they go.
     pub(crate) const fn has_goals(&self) -> bool {
-        self.goals.is_some()
+        self.0.goals.is_some()
     }
 
     /// The row of goals begins.
     pub(crate) const fn begin_goals(&mut self, cell: Cell) {
-        self.goals = Some((cell, cell));
+        self.0.goals = Some((cell, cell));
     }
 
     /// The row that was begun last goes to a cell.
     pub(crate) const fn stretch(&mut self, to: Cell) {
-        match &mut self.goals {
+        match &mut self.0.goals {
             Some(goals) => goals.1 = to,
-            None => self.starts.1 = to,
+            None => self.0.starts.1 = to,
         }
     }
 
     /// Takes the row of goals back; `None` where there is none yet.
-    pub(crate) fn without_goals(self) -> Option<Self> {
-        self.goals.is_some().then_some(Self {
-            goals: None,
-            ..self
-        })
+    pub(crate) fn without_goals(mut self) -> Option<Self> {
+        self.0.goals.take().is_some().then_some(self)
     }
 
     /// The same, said in another way.
-    pub(crate) fn with(mut self, action: FleetAction) -> Self {
+    pub(crate) fn with(self, action: FleetAction) -> Self {
+        let mut said = self.0;
         match action {
-            FleetAction::Count(count) => self.count = count.map(|count| count.clamp(1, MOST)),
-            FleetAction::Back(back) => self.back = back,
-            FleetAction::Waypoints(each) => self.waypoints = each.min(MOST_WAYPOINTS),
-            FleetAction::DrawAgain => self.draw = self.draw.wrapping_add(1),
+            FleetAction::Count(count) => said.count = count.map(|count| count.clamp(1, MOST)),
+            FleetAction::Back(back) => said.back = back,
+            FleetAction::Waypoints(each) => said.waypoints = each.min(MOST_WAYPOINTS),
+            FleetAction::DrawAgain => said.draw = said.draw.wrapping_add(1),
             FleetAction::Battery(capacity) => {
-                let level = self.battery.map(|battery| battery.initial);
-                self.battery = capacity.map(|capacity| Battery {
-                    capacity,
-                    initial: level.unwrap_or(capacity).min(capacity),
-                });
+                said.battery = capacity.map(|capacity| resized(said.battery, capacity));
             }
             FleetAction::Level(level) => {
-                if let Some(battery) = &mut self.battery {
+                if let Some(battery) = &mut said.battery {
                     battery.initial = level.min(battery.capacity);
                 }
             }
             FleetAction::Add | FleetAction::Cancel => {}
         }
-        self
+        Self(said)
+    }
+}
+
+/// A battery that holds so much; it begins with its level, as far as that fits.
+pub(crate) fn resized(battery: Option<Battery>, capacity: u32) -> Battery {
+    let level = battery.map(|battery| battery.initial);
+    Battery {
+        capacity,
+        initial: level.unwrap_or(capacity).min(capacity),
     }
 }
 

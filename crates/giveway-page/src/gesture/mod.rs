@@ -11,6 +11,8 @@ use std::rc::Rc;
 
 use giveway_model::Cell;
 
+use crate::area::Hand;
+
 pub(crate) use canvas::Canvas;
 pub(crate) use shaped::{Ink, Shaped};
 pub(crate) use stroke::{Hold, Stroke};
@@ -28,6 +30,8 @@ pub(crate) enum Gesture {
     Placing(Placing),
     /// A row of starts or goals is being drawn.
     Row,
+    /// A part of the floor is being framed, stretched or moved.
+    Area(Rc<Hand>),
 }
 
 /// An agent on its way onto the board: its start is chosen, its goal not yet.

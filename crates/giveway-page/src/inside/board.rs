@@ -3,7 +3,7 @@
 use giveway_model::{Cell, check, tr};
 use giveway_solve::plan::{NodeFate, ToldConflict, ToldConstraint};
 
-use super::{Method, TreeRun, index, proof, steps};
+use super::{Method, TreeRun, crowd, index, proof, steps};
 use crate::State;
 use crate::board::{CELL, ConflictPlace, middle};
 
@@ -74,6 +74,8 @@ pub fn overlay(state: &State) -> Overlay {
         Method::Proof => proof::overlay(&mut overlay, state),
         Method::Tree => in_tree(&mut overlay, state),
         Method::Orders => in_order(&mut overlay, state),
+        Method::Pibt => crowd::in_pibt(&mut overlay, state),
+        Method::Lacam => crowd::in_lacam(&mut overlay, state),
     }
     overlay
 }

@@ -4,7 +4,7 @@ use giveway_model::tr;
 use giveway_model::words::capital;
 use giveway_solve::plan::Planner;
 
-use super::{InsideAction, Method, node, order, proof};
+use super::{InsideAction, Method, crowd, node, order, proof};
 use crate::{State, words};
 
 /// What it says.
@@ -176,6 +176,8 @@ pub fn column(state: &State) -> Option<Column> {
         Method::Proof => proof::column(state),
         Method::Tree => node::column(state),
         Method::Orders => order::column(state),
+        Method::Pibt => crowd::pibt_column(state),
+        Method::Lacam => crowd::lacam_column(state),
     }?;
     column.about = about(state);
     Some(column)
@@ -185,11 +187,7 @@ pub fn column(state: &State) -> Option<Column> {
 fn about(state: &State) -> Option<String> {
     let answer = state.document.fresh_answer()?;
     let costs = answer.solved.costs?;
-    let looked = match state.inside.method {
-        Method::Proof => None,
-        Method::Tree => Some(Planner::Cbs),
-        Method::Orders => Some(Planner::Prioritised),
-    };
+    let looked = state.inside.method.planner();
     if answer.by == looked || answer.is_shared {
         return None;
     }

@@ -49,7 +49,12 @@ pub fn legend(state: &State, overlay: &Overlay) -> Option<Vec<Sign>> {
         signs.push(sign("k-ban", tr!("Not at this time")));
     }
     if overlay.bans.iter().any(|ban| ban.is_asked) {
-        signs.push(sign("k-asked", tr!("At this time, and nobody else")));
+        let words = match state.inside.method {
+            Method::Proof | Method::Tree | Method::Orders => tr!("At this time, and nobody else"),
+            Method::Pibt => tr!("It pushes the robot that stands there"),
+            Method::Lacam => tr!("It has to go there, or pushes who stands there"),
+        };
+        signs.push(sign("k-asked", words));
     }
     if !overlay.bursts.is_empty() {
         signs.push(sign("k-burst", tr!("Conflict of this node")));

@@ -1,4 +1,5 @@
-//! What was found out about a scene: the tree of CBS, and what came of orders.
+//! What was found out about a scene: the tree of CBS, what came of orders, and how planners of
+//! crowds went.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -8,6 +9,7 @@ use giveway_solve::plan::{NodeFate, OrderTried, PlanAnswer, TreeNode, Went, word
 use giveway_solve::together::TogetherAnswer;
 use giveway_solve::trace::Core;
 
+use super::crowd::{LacamRun, PibtRun};
 use super::looking::{Looking, What};
 use crate::{Document, Draft};
 
@@ -31,6 +33,10 @@ pub(crate) struct Looked {
     within: Option<u32>,
     /// The tree of CBS, or why there is none, as a sentence.
     pub(crate) tree: Option<Result<Rc<TreeRun>, String>>,
+    /// The steps of PIBT, or why there are none, as a sentence.
+    pub(crate) pibt: Option<Result<Rc<PibtRun>, String>>,
+    /// The configurations of `LaCAM`, or why there are none, as a sentence.
+    pub(crate) lacam: Option<Result<Rc<LacamRun>, String>>,
     /// What came of orders.
     pub(crate) orders: Vec<OrderRun>,
     /// What was found out about the robots of steps, the last of them.
@@ -84,6 +90,8 @@ impl Looked {
             draft: Rc::clone(&looking.draft),
             within: looking.within,
             tree: None,
+            pibt: None,
+            lacam: None,
             orders: Vec::new(),
             closer: Vec::new(),
             failed: None,
@@ -92,15 +100,24 @@ impl Looked {
             looked.look_closer((**core).clone(), answer);
             return looked;
         }
-        let (costs, told) = match answer {
-            Told::Planned(answer) => (answer.costs, went(*answer)),
-            Told::Not(why) => (None, Err(why)),
+        let (plan, costs, told) = match answer {
+            Told::Planned(mut answer) => (answer.plan.take(), answer.costs, went(*answer)),
+            Told::Not(why) => (None, None, Err(why)),
             // The answer to another request.
             Told::Together(_) => return looked,
         };
         match (&looking.what, told) {
             (What::Tree, told) => {
                 looked.tree = Some(told.and_then(|(went, ended)| TreeRun::new(went, ended)));
+            }
+            (What::Pibt, told) => {
+                let run = told.and_then(|(went, ended)| PibtRun::new(went, (plan, costs), ended));
+                looked.pibt = Some(run);
+            }
+            (What::Lacam, told) => {
+                let agents = looking.draft.agents();
+                let run = told.and_then(|(went, ended)| LacamRun::new(went, agents, costs, ended));
+                looked.lacam = Some(run);
             }
             (_, Err(why)) => looked.failed = Some(why),
             (what, Ok((Went::Prioritised { orders }, _))) => {
@@ -147,6 +164,8 @@ impl Looked {
     pub(crate) fn again(&self) -> Self {
         Self {
             tree: self.tree.clone().filter(Result::is_ok),
+            pibt: self.pibt.clone().filter(Result::is_ok),
+            lacam: self.lacam.clone().filter(Result::is_ok),
             closer: self
                 .closer
                 .iter()

@@ -13,6 +13,8 @@ use crate::{Draft, State};
 
 /// So many robots have few enough orders to try them all.
 const ALL_ORDERS: usize = 4;
+/// How long `LaCAM` goes on to better plans while it is looked into, in seconds.
+const LACAM: f64 = 3.0;
 /// How long the robots of a step are looked at, in seconds: the next step waits.
 const CLOSER: f64 = 4.0;
 
@@ -38,6 +40,10 @@ pub enum What {
     Order(Vec<String>),
     /// Orders until one works.
     Orders,
+    /// The steps of PIBT.
+    Pibt,
+    /// The configurations of `LaCAM`.
+    Lacam,
     /// Why the robots of a step cannot all keep their limits.
     Together(Box<Core>),
 }
@@ -59,13 +65,20 @@ impl Looking {
             What::Tree => (Planner::Cbs, None),
             What::Order(order) => (Planner::Prioritised, Some(order.clone())),
             What::Orders => (Planner::Prioritised, None),
+            What::Pibt => (Planner::Pibt, None),
+            What::Lacam => (Planner::Lacam, None),
         };
         Request::Plan(PlanRequest {
             within: self.within,
             order,
             trace: true,
             limits: Limits {
-                seconds: Some(f64::from(self.seconds)),
+                seconds: Some(match self.what {
+                    What::Lacam => LACAM.min(f64::from(self.seconds)),
+                    What::Tree | What::Order(_) | What::Orders | What::Pibt | What::Together(_) => {
+                        f64::from(self.seconds)
+                    }
+                }),
                 ..Limits::default()
             },
             ..PlanRequest::new(scene, planner)
@@ -90,6 +103,14 @@ pub(crate) fn wanted(state: &State) -> Option<Looking> {
             (!is_known).then_some(What::Tree)
         }
         Method::Orders => next_order(state, looked),
+        Method::Pibt => {
+            let is_known = looked.is_some_and(|looked| looked.pibt.is_some());
+            (!is_known).then_some(What::Pibt)
+        }
+        Method::Lacam => {
+            let is_known = looked.is_some_and(|looked| looked.lacam.is_some());
+            (!is_known).then_some(What::Lacam)
+        }
     }?;
     Some(Looking {
         draft: Rc::clone(&document.draft),

@@ -1,5 +1,6 @@
 //! How the plan was found and proved, to be stepped through: the proof of the search,
-//! the tree of CBS, the orders of prioritised planning.
+//! the tree of CBS, the orders of prioritised planning, the steps of PIBT, the configurations
+//! of `LaCAM`.
 //!
 //! All of it is looked at and nobody would miss it: it belongs to the scene on the
 //! board, and is asked again where that is another one.
@@ -7,6 +8,7 @@
 mod action;
 mod board;
 mod column;
+mod crowd;
 mod legend;
 mod looked;
 mod looking;
@@ -23,6 +25,7 @@ use std::rc::Rc;
 
 use giveway_course::lesson::Layer;
 use giveway_model::tr;
+use giveway_solve::plan::Planner;
 use giveway_solve::trace::Core;
 
 pub use action::InsideAction;
@@ -34,7 +37,7 @@ pub(crate) use looking::wanted;
 pub use looking::{Looking, What};
 pub use nothing::{Nothing, nothing, said};
 pub use orders::{Note, Stop, notes};
-pub(crate) use plan::{conflict_time, of_node, of_order, two_on_a_cell};
+pub(crate) use plan::{conflict_time, of_configuration, of_node, of_order, of_pibt, two_on_a_cell};
 pub(crate) use proof::trace as record;
 pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
 pub(crate) use steps::place;
@@ -53,11 +56,32 @@ pub enum Method {
     Tree,
     /// Prioritised planning: one order after the other.
     Orders,
+    /// PIBT: one step of all robots after the other.
+    Pibt,
+    /// `LaCAM`: one configuration after the other.
+    Lacam,
 }
 
 impl Method {
     /// All, in the order of their tabs.
-    pub const ALL: [Self; 3] = [Self::Proof, Self::Tree, Self::Orders];
+    pub const ALL: [Self; 5] = [
+        Self::Proof,
+        Self::Tree,
+        Self::Orders,
+        Self::Pibt,
+        Self::Lacam,
+    ];
+
+    /// The planner that it looks into; `None`: the search for the best plan.
+    pub(crate) const fn planner(self) -> Option<Planner> {
+        match self {
+            Self::Proof => None,
+            Self::Tree => Some(Planner::Cbs),
+            Self::Orders => Some(Planner::Prioritised),
+            Self::Pibt => Some(Planner::Pibt),
+            Self::Lacam => Some(Planner::Lacam),
+        }
+    }
 
     /// Its name.
     pub fn title(self) -> &'static str {
@@ -65,6 +89,8 @@ impl Method {
             Self::Proof => tr!("Proof"),
             Self::Tree => tr!("Conflict tree"),
             Self::Orders => tr!("One by one"),
+            Self::Pibt => "PIBT",
+            Self::Lacam => "LaCAM",
         }
     }
 
@@ -74,6 +100,8 @@ impl Method {
             Self::Proof => tr!("How it was proved: proof"),
             Self::Tree => tr!("How it was proved: conflict tree"),
             Self::Orders => tr!("How it was proved: one by one"),
+            Self::Pibt => tr!("How it was found: PIBT"),
+            Self::Lacam => tr!("How it was found: LaCAM"),
         }
     }
 }
@@ -87,6 +115,8 @@ pub struct Inside {
     pub method: Method,
     /// Whether its steps follow each other by themselves.
     pub is_playing: bool,
+    /// The time of the plan that was shown before: leaving brings it back.
+    pub(crate) time_before: Option<u32>,
     /// The step of the proof, by its row; `None`: the last one, whichever that is.
     pub(crate) step: Option<usize>,
     /// The robots that are looked at alone.
@@ -97,6 +127,8 @@ pub struct Inside {
     pub(crate) order: usize,
     /// How many of its robots have planned; `None`: all.
     pub(crate) robots: Option<usize>,
+    /// The step of PIBT, or of `LaCAM`.
+    pub(crate) moment: usize,
     /// What was found out about the scene.
     pub(crate) looked: Option<Rc<Looked>>,
     /// The plan of the node, or of the order so far.
@@ -138,6 +170,11 @@ impl State {
             .shown
             .as_ref()
             .filter(|answer| is_other && (Rc::ptr_eq(&answer.draft, &self.document.draft)))
+    }
+
+    /// The plan of the step of a planner of crowds that is looked at.
+    pub fn inside_answer(&self) -> Option<&Rc<Answer>> {
+        self.inside_plan()
     }
 
     /// What was found out about the scene on the board.

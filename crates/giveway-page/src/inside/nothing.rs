@@ -5,7 +5,7 @@ use giveway_model::tr;
 use giveway_solve::Status;
 use giveway_solve::plan::Planner;
 
-use super::{InsideAction, Method, column, proof};
+use super::{InsideAction, Method, column, crowd, proof};
 use crate::planners::{By, Runs};
 use crate::{Action, SolveAction, State, Task};
 
@@ -45,6 +45,16 @@ pub fn nothing(state: &State) -> Nothing {
             tr!("Its tree comes when it is done."),
             cancel(),
         ),
+        Method::Pibt if is_looking => say(
+            tr!("PIBT plans"),
+            tr!("Its steps come when it is done."),
+            cancel(),
+        ),
+        Method::Lacam if is_looking => say(
+            tr!("LaCAM plans"),
+            tr!("Its configurations come when it is done."),
+            cancel(),
+        ),
         Method::Orders if is_looking => say(tr!("One robot plans after the other"), "", cancel()),
         _ if !state.work.is_idle() => say(
             tr!("The solver is busy"),
@@ -53,8 +63,10 @@ pub fn nothing(state: &State) -> Nothing {
         ),
         _ => {
             let failed = state.looked().and_then(|looked| match state.inside.method {
-                Method::Tree => looked.tree.as_ref()?.as_ref().err(),
-                _ => looked.failed.as_ref(),
+                Method::Tree => crowd::failed(looked.tree.as_ref()),
+                Method::Pibt => crowd::failed(looked.pibt.as_ref()),
+                Method::Lacam => crowd::failed(looked.lacam.as_ref()),
+                Method::Proof | Method::Orders => looked.failed.as_ref(),
             });
             let text = failed.map_or("", String::as_str);
             let again = (tr!("Try again"), Action::Inside(InsideAction::Again));
@@ -107,7 +119,7 @@ fn after_change(method: Method, at: u32) -> Nothing {
                 at
             ),
         ),
-        Method::Tree | Method::Orders => (
+        Method::Tree | Method::Orders | Method::Pibt | Method::Lacam => (
             tr!("Nothing to look into"),
             tr!(
                 "This planner plans a scene from time 0. The plan on the board went on after a change at time {at}.",
@@ -154,7 +166,7 @@ pub fn said(state: &State) -> String {
         Method::Proof => proof::step_text(state),
         // A tree says its items by itself.
         Method::Tree => None,
-        Method::Orders => column::column(state).and_then(|column| {
+        Method::Orders | Method::Pibt | Method::Lacam => column::column(state).and_then(|column| {
             let verdict = column.verdict?;
             Some(format!(
                 "{} {}: {}",

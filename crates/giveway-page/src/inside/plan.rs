@@ -1,4 +1,4 @@
-//! The plan of a node or an order, for the board.
+//! The plan of a node, of an order or of a configuration, for the board.
 
 use std::rc::Rc;
 
@@ -7,6 +7,7 @@ use giveway_model::{Costs, Path, Plan, Version, check};
 use giveway_solve::plan::{NodeFate, ToldConflict, words};
 use giveway_solve::{Reach, SolveAnswer, SolveRequest, Stats, Status};
 
+use super::crowd::{LacamRun, PibtRun};
 use super::{Method, OrderRun, TreeRun, index};
 use crate::{Answer, Draft, State};
 
@@ -84,6 +85,29 @@ pub(crate) fn of_order(draft: &Rc<Draft>, run: &OrderRun, robots: usize) -> Rc<A
         }
     }
     answer
+}
+
+/// The plan of PIBT; where it has none, all robots stay at their starts.
+pub(crate) fn of_pibt(draft: &Rc<Draft>, run: &PibtRun) -> Rc<Answer> {
+    answer(draft, run.plan.clone().unwrap_or_default())
+}
+
+/// The steps that lead to a configuration of `LaCAM`, and how many; `None` where it was not told.
+pub(crate) fn of_configuration(
+    draft: &Rc<Draft>,
+    run: &LacamRun,
+    id: u32,
+) -> Option<(Rc<Answer>, u32)> {
+    let plan = run.plan(id, draft.agents())?;
+    let mut answer = answer(draft, plan);
+    let own = Rc::make_mut(&mut answer);
+    let ends = draft.agents().iter().zip(run.cells(id));
+    for ((agent, end), arrival) in ends.zip(&mut own.arrivals) {
+        if Some(*end) != agent.goal {
+            *arrival = None;
+        }
+    }
+    Some((answer, u32::try_from(run.depth(id)).unwrap_or(u32::MAX)))
 }
 
 /// A plan that nothing is claimed of; whoever has no path stays at the start.

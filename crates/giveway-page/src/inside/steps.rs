@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 
-use super::{Method, proof};
+use super::{Method, crowd, proof};
 use crate::State;
 
 /// Where one is among the steps.
@@ -34,7 +34,7 @@ pub fn steps(state: &State) -> Option<Steps> {
 
 const fn first(state: &State) -> usize {
     match state.inside.method {
-        Method::Proof => 0,
+        Method::Proof | Method::Pibt | Method::Lacam => 0,
         Method::Tree | Method::Orders => 1,
     }
 }
@@ -67,6 +67,18 @@ pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
             let at = inside.robots.unwrap_or(last).clamp(1, last.max(1));
             let all = run.told.order.len();
             Some((at, last, tr!("of {all} robots", all)))
+        }
+        Method::Pibt => {
+            let last = crowd::pibt(state)?.steps();
+            let n = u32::try_from(last).unwrap_or(u32::MAX);
+            let of = tr!("behind the number of the step" => "of {n} step" | "of {n} steps" % n);
+            Some((inside.moment.min(last), last, of))
+        }
+        Method::Lacam => {
+            let last = crowd::lacam(state)?.events.len();
+            let n = u32::try_from(last).unwrap_or(u32::MAX);
+            let of = tr!("behind the number of the step" => "of {n} step" | "of {n} steps" % n);
+            Some((inside.moment.min(last), last, of))
         }
     }
 }

@@ -6,4 +6,5 @@ mod whole;
 
 pub use agent::{AgentFacts, BatteryFacts, agent, planned};
 pub use cell::{CellFacts, Pass, cell};
+pub(crate) use whole::claim;
 pub use whole::{CostFacts, Whole, whole};

@@ -1,10 +1,15 @@
 //! Escape, which closes one thing after the other.
 
+use crate::area::AreaAction;
 use crate::fleet::FleetAction;
+use crate::floor_plan::FloorPlanAction;
 use crate::freedom::FreedomAction;
+use crate::grow::GrowAction;
 use crate::inside::InsideAction;
 use crate::intake::Job;
 use crate::ledger::LedgerAction;
+use crate::order::OrderAction;
+use crate::robots::RobotsAction;
 use crate::rules::RuleAction;
 use crate::slot::SlotAction;
 use crate::steering::Lead;
@@ -13,12 +18,18 @@ use crate::{
 };
 
 /// What Escape closes first: what is being placed, what runs, the notice, the
-/// welcome, robots that are looked at alone, robots that are to be added, a rule that is being written, the other plan of a
-/// question, the question, what is led, the selection, the changes of the world, the ledger, what is
-/// laid over the plan.
+/// welcome, robots that are looked at alone, robots that are to be added, a floor plan that is
+/// turned into cells, the part of the floor that is selected, a rule that is being written, the other plan of a
+/// question, the question, what is led, the selection, the changes of the world, the ledger, the
+/// order, what is laid over the plan.
 pub(super) fn escape(state: &State) -> Option<Action> {
     if state.has_gesture() {
         Some(Action::Board(BoardAction::Abandon))
+    } else if state
+        .growing()
+        .is_some_and(|growing| growing.held.is_some())
+    {
+        Some(Action::Grow(GrowAction::Abandon))
     } else if state.closed_cell().is_some() && state.view.selection == Selection::Nothing {
         Some(Action::Freedom(FreedomAction::Open))
     } else if state.is_pricing()
@@ -37,6 +48,14 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Inside(InsideAction::Alone(false)))
     } else if state.view.fleet.is_some() {
         Some(Action::Fleet(FleetAction::Cancel))
+    } else if state.open_plan().is_some() {
+        Some(Action::FloorPlan(FloorPlanAction::Cancel))
+    } else if state.growing().is_some() {
+        Some(Action::Grow(GrowAction::Cancel))
+    } else if state.view.robots.waiting.is_some() {
+        Some(Action::Robots(RobotsAction::Drop))
+    } else if state.has_area() {
+        Some(Action::Area(AreaAction::Drop))
     } else if state.is_writing_rule() {
         let open = state.view.rules.writing.as_ref();
         let has_open = open.is_some_and(|writing| writing.open.is_some());
@@ -66,6 +85,12 @@ pub(super) fn escape(state: &State) -> Option<Action> {
         Some(Action::Change(ChangeAction::Discard))
     } else if state.ledger().is_some() {
         Some(Action::Ledger(LedgerAction::Show(false)))
+    } else if state.shows_order() {
+        Some(Action::Order(if state.view.order.late.is_some() {
+            OrderAction::Late(false)
+        } else {
+            OrderAction::Show(false)
+        }))
     } else if state.freedom().is_some() {
         Some(Action::Freedom(FreedomAction::Show(false)))
     } else {

@@ -23,7 +23,9 @@ pub const HELP: [(Later, &[Row]); 6] = [
             row(&["Ctrl+Shift+Z"], tr_later!("Redo")),
             row(
                 &["Ctrl+V"],
-                tr_later!("Open what was copied: a scene, a plan, a map, a link"),
+                tr_later!(
+                    "Open what was copied: a scene, a plan, a map, a link, a table of robots"
+                ),
             ),
         ],
     ),
@@ -72,7 +74,16 @@ pub const HELP: [(Later, &[Row]); 6] = [
                     "Shift+\u{2192}",
                     "Shift+\u{2193}",
                 ],
-                tr_later!("Move what is on the cell (Select)"),
+                tr_later!("Move what is on the cell; select an area (Select)"),
+            ),
+            row(&["Ctrl+A"], tr_later!("Select all of the floor")),
+            row(
+                &["Ctrl+C", "Ctrl+V", "Ctrl+D"],
+                tr_later!("Copy, paste, repeat the area"),
+            ),
+            row(
+                &["H", "Shift+H", "T"],
+                tr_later!("Mirror the area, turn it"),
             ),
             row(
                 &["Alt+Space"],

@@ -5,6 +5,7 @@ mod help;
 #[cfg(test)]
 mod tests;
 
+use crate::area::AreaAction;
 use crate::audit::AuditAction;
 use crate::draw::{self, Shape};
 use crate::find::FindAction;
@@ -65,7 +66,9 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
 
 fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     if key.ctrl {
-        return with_ctrl(key).map(Command::Act);
+        return of_area(key, state)
+            .or_else(|| with_ctrl(key))
+            .map(Command::Act);
     }
     let is_presented = state.is_presented();
     let lead = leads(key.name, state).filter(|lead| !is_presented || *lead != Lead::Begin);
@@ -102,6 +105,7 @@ fn meant(key: Key<'_>, state: &State) -> Option<Command> {
             let has_agents = !state.world().agents().is_empty();
             has_agents.then_some(Action::Find(FindAction::Open))
         }
+        "h" | "H" | "t" | "T" if state.has_area() => of_area(key, state),
         "Delete" => Some(Action::Board(BoardAction::Delete)),
         "n" | "N" => difference(!key.shift, state)
             .or_else(|| state.audit().map(|_| Action::Audit(AuditAction::Next))),
@@ -167,6 +171,20 @@ fn leads(name: &str, state: &State) -> Option<Lead> {
         _ => return None,
     };
     own.map(|_| lead)
+}
+
+/// What a key does with a part of the floor.
+fn of_area(key: Key<'_>, state: &State) -> Option<Action> {
+    let has_area = state.has_area();
+    let action = match (key.name, key.ctrl) {
+        ("a" | "A", true) if state.can_select_area() => AreaAction::All,
+        ("c" | "C", true) if has_area => AreaAction::Copy,
+        ("d" | "D", true) if has_area => AreaAction::Repeat(true),
+        ("h" | "H", false) if has_area => AreaAction::Mirror(!key.shift),
+        ("t" | "T", false) if has_area => AreaAction::Turn,
+        _ => return None,
+    };
+    Some(Action::Area(action))
 }
 
 fn with_ctrl(key: Key<'_>) -> Option<Action> {

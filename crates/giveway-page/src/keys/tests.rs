@@ -1,6 +1,7 @@
 //! Keys with and without a plan, with Ctrl, and Escape.
 
 use super::*;
+use crate::grow::{GrowAction, Side};
 use crate::{Draft, Notice, Selection, reduce};
 
 fn state() -> State {
@@ -77,6 +78,20 @@ fn escape_takes_one_thing_after_the_other() {
         state = reduce(&state, expect);
     }
     assert_eq!(command(key("Escape"), &state), None);
+}
+
+#[test]
+fn escape_lets_a_side_of_the_floor_go_back_then_drops_the_size() {
+    let grow = |state: &State, action| reduce(state, Action::Grow(action));
+    let open = grow(&state(), GrowAction::Open);
+    let held = grow(&open, GrowAction::Hold);
+    let held = grow(&held, GrowAction::Drag(Side::Right, 2));
+    let back = act(key("Escape"), &held);
+    assert_eq!(back, Some(Action::Grow(GrowAction::Abandon)));
+    let back = grow(&held, GrowAction::Abandon);
+    assert_eq!(back.view.growing, open.view.growing);
+    let closed = act(key("Escape"), &back);
+    assert_eq!(closed, Some(Action::Grow(GrowAction::Cancel)));
 }
 
 #[test]

@@ -30,6 +30,8 @@ pub struct Column {
     pub nobody: String,
     /// The steps lost by all.
     pub all: u32,
+    /// How many robots cost nobody a step, in words.
+    pub harmless: Option<String>,
     /// How many robots lose nothing, in words.
     pub unharmed: Option<String>,
     /// Where most is lost, the worst first.
@@ -108,6 +110,7 @@ pub fn column(state: &State) -> Option<Column> {
         causes: Vec::new(),
         nobody: "0".to_owned(),
         all: 0,
+        harmless: None,
         unharmed: None,
         places: Vec::new(),
         ask: None,
@@ -118,10 +121,22 @@ pub fn column(state: &State) -> Option<Column> {
     Some(column)
 }
 
+/// The robots for which nobody loses a step, as a sentence; nothing where there are none.
+fn harmless(told: &DelaysAnswer) -> Option<String> {
+    let causes = told.because.iter();
+    let causes = causes
+        .filter(|total| matches!(total.cause, DelayCause::Agent { .. }))
+        .count();
+    let n = told.agents.len().saturating_sub(causes) as u32;
+    (n > 0 && told.delay > 0)
+        .then(|| tr!("{n} robot costs nobody a step." | "{n} robots cost nobody a step." % n))
+}
+
 fn fill(column: &mut Column, state: &State, told: &DelaysAnswer) {
     let lit = state.view.ledger.lit;
     column.all = told.delay;
     column.unharmed = words::unharmed(told);
+    column.harmless = harmless(told);
     let losers = told.agents.iter().filter(|row| row.delay > 0);
     column.losses = losers.map(|row| loss(state, row, lit)).collect();
     for total in &told.because {

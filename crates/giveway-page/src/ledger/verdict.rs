@@ -20,7 +20,13 @@ pub(super) fn verdict(told: &DelaysAnswer) -> VerdictPart {
     let saved = proof.map_or(0, |proof| lost.saturating_sub(proof.at_most));
     let proved = proof.map_or(0, |proof| proof.at_least.min(lost));
     let nobody = tr!("{n} step lost" | "{n} steps lost" % lost);
-    let (icon, class, title) = if saved > 0 {
+    let (icon, class, title) = if saved > 0 && proved + saved < lost {
+        (
+            "compare",
+            "needless",
+            tr!("{lost}, at least {saved} to be saved", lost = nobody, saved),
+        )
+    } else if saved > 0 {
         (
             "compare",
             "needless",

@@ -178,7 +178,13 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
         | Action::Inside(_)
         | Action::Freedom(_)
         | Action::Ledger(_)
+        | Action::Order(_)
+        | Action::Sizing(_)
+        | Action::Area(_)
+        | Action::Robots(_)
+        | Action::Grow(_)
         | Action::Fleet(_)
+        | Action::FloorPlan(_)
         | Action::Find(_) => Fate::Closed(NOT_NOW.text()),
     }
 }

@@ -44,7 +44,11 @@ pub(crate) fn present(state: &mut State, to: Presenting) {
     state.view.presenting = to;
     state.view.tool = Tool::Select;
     state.view.find = None;
-    state.inside.is_open = false;
+    if state.inside.is_open {
+        state.inside.is_open = false;
+        let time = state.inside.time_before.take();
+        state.view.playback.time = time.unwrap_or(state.view.playback.time);
+    }
     // The other plan of an answer may take longer than the one that is left.
     state.view.playback.time = state.view.playback.time.min(state.last_time());
 }

@@ -1,7 +1,6 @@
 //! What is wrong with a scene, at once and on its cell: what validation finds,
 //! and what an agent alone can see without a search of plans.
 
-mod parts;
 mod reach;
 #[cfg(test)]
 mod tests;
@@ -9,10 +8,10 @@ mod words;
 
 use std::collections::BTreeMap;
 
+use giveway_model::parts::Parts;
 use giveway_model::{Agent, AtGoal, Cell, Fault, Grid, Scene};
 
-pub(crate) use parts::Parts;
-use reach::{Reach, reach};
+pub(crate) use reach::{Reach, reach};
 use words::{Part, Task, What};
 
 /// How many steps the tables of batteries may take for one scene: beyond, the

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::words::Sentence;
-use giveway_model::{Question, Version, question::fits, tr_data};
-use giveway_solve::explain::{ExplainAnswer, Repair};
+use giveway_model::{Costs, Plan, Question, Version, question::fits, tr_data};
+use giveway_solve::explain::ExplainAnswer;
 use giveway_solve::{Limits, Reach, SolveAnswer, Stats, Status};
 
 use super::document::{amend, edit_scene, put};
@@ -13,8 +13,10 @@ use super::play::seek;
 use super::{find, solve, stroke};
 use crate::asking::{Asking, Lit};
 use crate::edit::repair;
+use crate::rules::Clash;
 use crate::{Activity, Answer, AskAction, Document, Mode, Notice, State, Tab, Task};
 
+#[inline(never)]
 pub(super) fn questions(state: &mut State, action: AskAction) {
     match action {
         AskAction::Ask(question) => ask(state, &question),
@@ -151,9 +153,16 @@ fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
     }
 }
 
-/// More became known.
+/// More became known. Why there is no plan stays known after the question is left.
 pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
     change(state, |asking| asking.learn(answer));
+    let asking = state.document.mode.asking();
+    let asking = asking.filter(|it| *it.question() == Question::Unsolvable && it.can_be_repaired());
+    let core = asking.and_then(|asking| asking.told.as_deref()?.core.clone());
+    if let Some(core) = core {
+        let draft = Rc::clone(&state.document.draft);
+        state.view.rules.clash = Some(Rc::new(Clash { draft, core }));
+    }
 }
 
 /// Opens the other plan at the first difference, or leaves it: side by side at the time that was
@@ -225,23 +234,23 @@ fn take_repair(state: &mut State, index: usize) {
     }
     close(state);
     solve::start(state, solve::Start::quiet());
-    show(state, found);
+    show(state, found.costs, found.plan);
 }
 
-/// The repair's plan is shown until there is a proved one.
-fn show(state: &mut State, repair: Repair) {
+/// A plan of an edited scene is shown until there is a proved one.
+pub(super) fn show(state: &mut State, costs: Costs, plan: Plan) {
     let Some(run) = state.work.solving() else {
         return;
     };
     let solved = SolveAnswer {
         giveway: Version,
         status: Status::Feasible,
-        costs: Some(repair.costs),
+        costs: Some(costs),
         bounds: BTreeMap::new(),
         reach: Reach::default(),
         ended: None,
         reason: None,
-        plan: Some(repair.plan),
+        plan: Some(plan),
         stats: Stats::default(),
         trace: None,
     };

@@ -17,6 +17,7 @@ use crate::{
     Activity, Answer, Arrival, Document, Draft, Mode, Notice, Selection, Solving, State, Tab,
 };
 
+#[inline(never)]
 pub(super) fn audit(state: &mut State, action: AuditAction) {
     if action == AuditAction::Begin {
         return begin(state);

@@ -2,7 +2,8 @@
 
 use giveway_model::{Cell, tr_data};
 
-use super::{ask, delete, fleet, press, rules, steer, stroke};
+use super::{area, ask, delete, fleet, floor_plan, grow, press, rules, steer, stroke};
+use crate::area::Area;
 use crate::draw::Shape;
 use crate::gesture::Gesture;
 use crate::steering::Lead;
@@ -22,6 +23,8 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         }
         BoardAction::MoveCursor(cell) => move_cursor(state, cell),
         BoardAction::StepCursor { by, carries } => step_cursor(state, by, carries),
+        BoardAction::UseTool if state.hand().is_some() => stroke::release(state),
+        BoardAction::UseTool if state.area().is_some_and(Area::has_ghost) => area::keep(state),
         BoardAction::UseTool if state.is_drawing() => stroke::release(state),
         BoardAction::UseTool => {
             press::press(state, state.view.cursor);
@@ -38,7 +41,9 @@ pub(super) fn board(state: &mut State, action: BoardAction) {
         }
         BoardAction::Press(cell) => press::press(state, cell),
         BoardAction::Drag(cells) => {
-            for cell in cells {
+            // Of an area only counts where the hand is now.
+            let skipped = state.hand().map_or(0, |_| cells.len().saturating_sub(1));
+            for cell in cells.into_iter().skip(skipped) {
                 stroke::drag(state, cell);
             }
         }
@@ -71,8 +76,16 @@ fn pick(state: &mut State, tool: Tool) {
         return;
     }
     stroke::abandon(state);
+    grow::keep(state);
+    if tool != Tool::Select {
+        area::keep(state);
+        state.view.area = None;
+    }
     if tool != Tool::Agent {
         fleet::settle(state);
+    }
+    if tool != Tool::Select {
+        floor_plan::settle(state);
     }
     if state.view.tool == tool {
         // Another zone begins.
@@ -95,10 +108,15 @@ fn pick(state: &mut State, tool: Tool) {
 
 /// What is selected has the inspector: a question makes way for it.
 pub(super) fn select(state: &mut State, selection: Selection) {
+    if floor_plan::takes_cell(state, selection) {
+        return;
+    }
     ask::close(state);
     if rules::takes_cell(state, selection) {
         return;
     }
+    area::keep(state);
+    state.view.area = None;
     let count = state.world().agents().len();
     state.view.asker = match (selection, state.view.selection) {
         (Selection::Cell(_), Selection::Agent(agent)) => Some(agent),
@@ -122,6 +140,9 @@ fn step_cursor(state: &mut State, (right, down): (i32, i32), carries: bool) {
     let is_led = state.document.mode.steering().is_some();
     if is_led && is_one && !carries {
         return steer::steer(state, Lead::Step((right, down)));
+    }
+    if !is_led && state.view.tool == Tool::Select && area::step(state, (right, down), carries) {
+        return;
     }
     let Cell { x, y } = state.view.cursor;
     let to = Cell::new(

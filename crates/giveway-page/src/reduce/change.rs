@@ -9,15 +9,22 @@ use giveway_solve::explain::Repair;
 
 use super::document::{drop_gesture, enter, put};
 use super::{ask, stroke};
-use crate::changing::{Changing, Choice, Comparing, WIDEST};
+use crate::changing::{Changing, Choice, Comparing, Filled, WIDEST};
 use crate::edit::{Edit, repair};
 use crate::{
-    Activity, Adapting, ChangeAction, Document, Mode, Notice, Size, State, Tab, Task, Tool,
+    Activity, Adapting, ChangeAction, Document, Mode, Notice, Selection, Size, State, Tab, Task,
+    Tool,
 };
 
+/// The steps of a breakdown until another number is given.
+const BREAKDOWN: u32 = 10;
+
+#[inline(never)]
 pub(super) fn change(state: &mut State, action: ChangeAction) {
     match action {
         ChangeAction::Begin => begin(state),
+        ChangeAction::BreakDown(agent) => break_down(state, agent),
+        ChangeAction::Fill(index, filled) => fill(state, index, filled),
         ChangeAction::Discard => discard(state),
         ChangeAction::TakeBack(index) => take_back(state, index),
         ChangeAction::ChooseMethods(choice) => choose_methods(state, choice),
@@ -54,6 +61,56 @@ fn begin(state: &mut State) {
     state.view.tool = Tool::Select;
     state.view.tab = Tab::Inspector;
     enter(state, Activity::Changing(Rc::new(changing)));
+}
+
+/// An agent breaks down at the time shown.
+fn break_down(state: &mut State, agent: usize) {
+    let name = state
+        .world()
+        .agents()
+        .get(agent)
+        .map(|own| own.name.clone());
+    if state.document.mode.changing().is_none() {
+        begin(state);
+    }
+    let Some(changing) = state.document.mode.changing().cloned() else {
+        return;
+    };
+    // The world that changes may have other agents.
+    let mut agents = changing.draft().agents().iter();
+    let Some(agent) = agents.position(|own| Some(&own.name) == name.as_ref()) else {
+        return;
+    };
+    super::board::select(state, crate::Selection::Agent(agent));
+    if let Err(notice) = list(state, &changing, &Edit::Delay(agent, BREAKDOWN)) {
+        state.view.notice = Some(notice);
+    }
+}
+
+/// A listed breakdown is another robot's, at another time, or as long as said.
+fn fill(state: &mut State, index: usize, filled: Filled) {
+    stroke::release(state);
+    let Some(changing) = state.document.mode.changing().cloned() else {
+        return;
+    };
+    match changing.with_breakdown(index, filled) {
+        Err(why) => ask::refuse(state, &why),
+        Ok(after) if after == *changing => {}
+        Ok(after) => {
+            state.view.notice = None;
+            let at = after.at;
+            let stays = state.view.selection == Selection::Nothing;
+            let broken = after.breaks_last();
+            enter(state, Activity::Changing(Rc::new(after)));
+            state.view.playback.stop_at(at);
+            // The card goes along with its robot.
+            if !stays {
+                let selection = broken.filter(|&agent| state.is_there(agent));
+                let selection = selection.map_or(Selection::Nothing, Selection::Agent);
+                super::board::select(state, selection);
+            }
+        }
+    }
 }
 
 /// Leaves what was listed; undo brings it back.

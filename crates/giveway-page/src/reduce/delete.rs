@@ -2,7 +2,8 @@
 
 use giveway_model::tr_data;
 
-use super::{ask, document, press, steer, stroke};
+use super::{area, ask, document, press, steer, stroke};
+use crate::area::AreaAction;
 use crate::rules::Lit;
 use crate::{Edit, RuleEdit, Selection, State, Tool};
 
@@ -11,6 +12,9 @@ use crate::{Edit, RuleEdit, Selection, State, Tool};
 pub(super) fn delete(state: &mut State) {
     if steer::is_in_the_way(state) {
         return;
+    }
+    if state.has_area() {
+        return area::area(state, AreaAction::Erase);
     }
     match state.view.selection {
         Selection::Nothing => match state.lit_rule().cloned() {

@@ -7,6 +7,8 @@ use giveway_model::tr_data;
 use giveway_solve::SolveRequest;
 
 use super::{solve, stroke};
+use crate::area::{Area, AreaAction};
+use crate::changing;
 use crate::edit::{Edit, RuleEdit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
@@ -29,8 +31,10 @@ pub(super) fn amend(state: &mut State, document: Document) {
     settle(state);
 }
 
-/// Begins another activity, as one step of undo; a question ends.
+/// Begins another activity, as one step of undo; a question ends, and so does what was told of the
+/// activity before.
 pub(super) fn enter(state: &mut State, activity: Activity) {
+    state.view.notice = None;
     let document = Document {
         mode: activity.into(),
         ..state.document.clone()
@@ -95,16 +99,30 @@ pub(super) fn undo(state: &mut State) {
     if state.has_gesture() {
         return stroke::abandon(state);
     }
+    if state.area().is_some_and(Area::has_ghost) {
+        return super::area::area(state, AreaAction::Drop);
+    }
     let present = state.moment();
     let before = state.history.undo(present);
-    travel(state, before);
+    travel_told(state, before, true);
 }
 
 pub(super) fn redo(state: &mut State) {
     stroke::abandon(state);
     let present = state.moment();
     let after = state.history.redo(present);
-    travel(state, after);
+    travel_told(state, after, false);
+}
+
+/// Goes to a moment, and says what that does to a world that changes: a rule that is being written
+/// may stand in front of the list.
+fn travel_told(state: &mut State, moment: Option<Moment>, is_back: bool) {
+    let before = state.document.mode.clone();
+    travel(state, moment);
+    if let Some(told) = changing::travelled(&before, &state.document.mode, is_back) {
+        state.view.rules.writing = None;
+        state.view.notice = Some(Notice::information(told));
+    }
 }
 
 /// Goes to a moment.
@@ -130,6 +148,15 @@ pub(super) fn edit(state: &mut State, edit: Edit) {
         },
     };
     match told {
+        Ok(()) => solve_on_change(state),
+        Err(notice) => state.view.notice = Some(notice),
+    }
+}
+
+/// Makes edits of the scene beside the board, as one step of undo.
+pub(super) fn make(state: &mut State, edits: &[Edit]) {
+    stroke::release(state);
+    match edit_scene(state, edits) {
         Ok(()) => solve_on_change(state),
         Err(notice) => state.view.notice = Some(notice),
     }

@@ -8,7 +8,7 @@ use super::document::{drop_gesture, put, settle, travel};
 use super::{ask, solve, stroke};
 use crate::link::{Linked, Source};
 use crate::state::{By, Displaced};
-use crate::{Document, Draft, FileAction, Moment, Notice, Selection, State, Tab, Tool};
+use crate::{Document, Draft, FileAction, Folds, Moment, Notice, Selection, State, Tab, Tool};
 
 /// A scene of more agents opens without the plan table.
 const MANY: usize = 6;
@@ -133,11 +133,18 @@ pub(super) fn replace(state: &mut State, document: Document) {
     let view = &mut state.view;
     view.notice = None;
     view.selection = Selection::Nothing;
+    view.folds = Folds::default();
     view.tool = Tool::Select;
     view.fleet = None;
+    view.floor_plan = None;
+    view.area = None;
+    view.growing = None;
     view.follow = false;
     view.find = None;
     view.conflict = None;
+    // A Pareto front was wanted of the scene before.
+    state.settings.front = false;
+    let view = &mut state.view;
     // What moved goes no further: it is of another scene.
     view.playback.stop_at(0);
 }

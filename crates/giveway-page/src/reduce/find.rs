@@ -3,10 +3,11 @@
 use giveway_model::Cell;
 
 use super::board;
-use crate::find::{Find, FindAction, at_place, listed};
+use crate::find::{Find, FindAction, chosen, count};
 use crate::view::Sought;
 use crate::{Selection, State};
 
+#[inline(never)]
 pub(super) fn find(state: &mut State, action: FindAction) {
     match action {
         FindAction::Open => {
@@ -17,26 +18,23 @@ pub(super) fn find(state: &mut State, action: FindAction) {
         FindAction::Type(typed) => {
             if let Some(find) = &mut state.view.find {
                 *find = Find { typed, chosen: 0 };
+                select(state);
             }
         }
-        FindAction::Step { down } => {
-            let count = listed(state);
+        FindAction::Step { on } => {
+            let count = count(state);
             if let Some(find) = &mut state.view.find {
-                find.step(count, down);
-            }
-        }
-        FindAction::Take(place) => {
-            if let Some(agent) = at_place(state, place) {
-                take(state, agent);
+                find.step(count, on);
+                select(state);
             }
         }
         FindAction::Close => state.view.find = None,
     }
 }
 
-/// Selects a robot and brings it into view.
-fn take(state: &mut State, agent: usize) {
-    state.view.find = None;
+/// Selects the robot that was found and brings it into view.
+fn select(state: &mut State) {
+    let Some(agent) = chosen(state) else { return };
     board::select(state, Selection::Agent(agent));
     if let Some(cell) = crate::board::place_of(state, agent) {
         show(state, cell);

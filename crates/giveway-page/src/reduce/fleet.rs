@@ -7,6 +7,7 @@ use crate::fleet::{Fleet, FleetAction};
 use crate::gesture::Gesture;
 use crate::{Edit, Selection, State};
 
+#[inline(never)]
 pub(super) fn fleet(state: &mut State, action: FleetAction) {
     match action {
         FleetAction::Add => settle(state),

@@ -14,6 +14,7 @@ use crate::freedom::{ClosedCell, Freedom, FreedomAction, closing, is_done, refus
 use crate::inside::InsideAction;
 use crate::{Document, Selection, State, Tab, Task};
 
+#[inline(never)]
 pub(super) fn freedom(state: &mut State, action: FreedomAction) {
     match action {
         FreedomAction::Show(true) => {

@@ -7,11 +7,12 @@ use giveway_solve::Response;
 
 use super::{ask, play};
 use crate::inside::{
-    InsideAction, Looked, Looking, Method, Told, conflict_time, of_node, of_order, place, proof,
-    wanted,
+    InsideAction, Looked, Looking, Method, Told, conflict_time, of_configuration, of_node,
+    of_order, of_pibt, place, proof, wanted,
 };
 use crate::{PlayAction, Selection, State, Tab, Task};
 
+#[inline(never)]
 pub(super) fn inside(state: &mut State, action: InsideAction) {
     match action {
         InsideAction::Show(on) => show(state, on),
@@ -71,8 +72,16 @@ pub(super) fn plays(state: &mut State, action: PlayAction) -> bool {
 }
 
 fn show(state: &mut State, on: bool) {
-    if on && !state.can_look_inside() {
+    let is_possible = if on {
+        state.can_look_inside()
+    } else {
+        state.inside.is_open
+    };
+    if !is_possible {
         return;
+    }
+    if on && !state.inside.is_open {
+        state.inside.time_before = Some(state.view.playback.time);
     }
     state.inside.is_open = on;
     state.inside.is_playing = false;
@@ -87,6 +96,10 @@ fn show(state: &mut State, on: bool) {
         state.view.playback.stop_at(0);
     }
     settle(state);
+    if !on {
+        let time = state.inside.time_before.take().unwrap_or(0);
+        state.view.playback.stop_at(time.min(state.last_time()));
+    }
 }
 
 /// Looks at the robots of the chosen step alone, or goes back to that step.
@@ -102,6 +115,9 @@ fn alone(state: &mut State, on: bool) {
 }
 
 fn by(state: &mut State, method: Method) {
+    if state.inside.method != method {
+        state.inside.moment = 0;
+    }
     state.inside.method = method;
     show(state, true);
 }
@@ -157,6 +173,7 @@ fn step_to(state: &mut State, to: usize) {
             }
         }
         Method::Orders => state.inside.robots = Some(to.max(1)),
+        Method::Pibt | Method::Lacam => state.inside.moment = to,
     }
     state.view.selection = Selection::Nothing;
     settle(state);
@@ -182,6 +199,16 @@ fn settle(state: &mut State) {
             let last = run.told.furthest.len().saturating_sub(1);
             let time = u32::try_from(if is_stuck { last } else { 0 }).unwrap_or(0);
             Some((of_order(&draft, run, at), time))
+        }
+        Method::Pibt => {
+            let run = looked.pibt.as_ref()?.as_ref().ok()?;
+            let (at, ..) = place(state)?;
+            Some((of_pibt(&draft, run), u32::try_from(at).unwrap_or(0)))
+        }
+        Method::Lacam => {
+            let run = looked.lacam.as_ref()?.as_ref().ok()?;
+            let (at, ..) = place(state)?;
+            of_configuration(&draft, run, run.configuration(at))
         }
     });
     let (shown, time) = shown.unzip();
@@ -225,6 +252,7 @@ fn learn(state: &mut State, looking: &Looking, answer: Told) {
     state.inside.looked = Some(Rc::new(looked));
     if is_new {
         (state.inside.node, state.inside.order, state.inside.robots) = (0, 0, None);
+        state.inside.moment = 0;
     }
     if state.is_inside() && (state.inside.shown.is_none() || is_new) {
         settle(state);

@@ -19,6 +19,7 @@ use crate::{Document, FileAction, Notice, State, certificate};
 const LONGEST_SVG: u32 = 2048;
 const LONGEST_GIF: u32 = 960;
 
+#[inline(never)]
 pub(super) fn intake(state: &mut State, action: IntakeAction) {
     match action {
         IntakeAction::Read(files) => {

@@ -4,7 +4,7 @@
 use giveway_model::tr_data;
 use giveway_solve::{Progress, Refusal, Response};
 
-use super::{ask, change, freedom, inside, ledger, planners, prices, proof, solve};
+use super::{ask, change, freedom, inside, ledger, order, planners, prices, proof, sizing, solve};
 use crate::{Adapting, Notice, Size, Solving, State, Task, WorkerAction};
 
 /// A worker tells of a job.
@@ -56,8 +56,19 @@ fn progress(state: &mut State, id: u64, event: Progress) {
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
-        (Task::Price(..), Progress::Priced { answer }) => prices::learn(state, *answer),
+        (Task::Price(_, request), Progress::Priced { answer }) => {
+            let loosens = request.loosen.is_some();
+            prices::learn(state, *answer, loosens);
+        }
         (Task::Delays(_), Progress::Delays { answer }) => ledger::learn(state, *answer),
+        (
+            Task::Sizing(_),
+            Progress::Sized {
+                floor,
+                point,
+                pending,
+            },
+        ) => sizing::learn(state, floor, *point, pending),
         _ => {}
     }
 }
@@ -76,8 +87,14 @@ fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
-        (Task::Price(..), Response::Priced(answer)) => prices::learn(state, *answer),
+        (Task::Price(_, request), Response::Priced(answer)) => {
+            prices::learn(state, *answer, request.loosen.is_some());
+        }
         (Task::Delays(_), Response::Delays(answer)) => ledger::learn(state, *answer),
+        (Task::Order(request), Response::Order(answer)) => {
+            order::answered(state, &request, *answer);
+        }
+        (Task::Sizing(_), Response::Sized(answer)) => sizing::answered(state, *answer),
         (Task::Change(run), Response::Changed(told)) => change::answered(state, &run, *told),
         (Task::Look(looking), response) => inside::respond(state, &looking, response),
         (task, Response::Refused(refusal)) => refused(state, &task, &refusal),
@@ -96,6 +113,8 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
         Task::Freedom(_) => tr_data!("All best plans cannot be compared for this scene."),
         Task::Price(..) => tr_data!("What the rules cost cannot be found out for this scene."),
         Task::Delays(_) => tr_data!("There is no ledger of this plan."),
+        Task::Order(_) => tr_data!("The order of this plan cannot be told."),
+        Task::Sizing(_) => tr_data!("How many robots the floor bears cannot be found out."),
     };
     if let Task::Explain(_) = task {
         let is_stuck = state.document.mode.comparing().is_some();
@@ -110,6 +129,9 @@ fn refused(state: &mut State, task: &Task, refusal: &Refusal) {
     }
     if let Task::Delays(_) = task {
         ledger::refused(state);
+    }
+    if let Task::Order(_) = task {
+        order::refused(state);
     }
     state.view.notice = Some(Notice::refusal(sentence).with(match refusal {
         // What can be asked, as a sentence: nobody types it here.

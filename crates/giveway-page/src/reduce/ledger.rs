@@ -12,6 +12,7 @@ use crate::inside::InsideAction;
 use crate::ledger::{Ledger, LedgerAction, LedgerView};
 use crate::{Activity, Document, Selection, State, Tab, Task};
 
+#[inline(never)]
 pub(super) fn ledger(state: &mut State, action: LedgerAction) {
     match action {
         LedgerAction::Show(true) => show(state),

@@ -1,5 +1,6 @@
 //! From a state and an action to the next state.
 
+mod area;
 mod ask;
 mod audit;
 mod board;
@@ -9,18 +10,23 @@ mod document;
 mod file;
 mod find;
 mod fleet;
+mod floor_plan;
 mod freedom;
+mod grow;
 mod inside;
 mod intake;
 mod job;
 mod ledger;
 mod lesson;
+mod order;
 mod planners;
 mod play;
 mod press;
 mod prices;
 mod proof;
+mod robots;
 mod rules;
+mod sizing;
 mod slot;
 mod solve;
 mod steer;
@@ -29,6 +35,7 @@ mod stroke;
 pub(crate) mod tests;
 mod view;
 
+pub(crate) use area::copies;
 pub(crate) use document::settle;
 
 use crate::{Action, BoardAction, FileAction, SolveAction, State, ViewAction};
@@ -48,7 +55,10 @@ pub fn reduce(state: &State, action: Action) -> State {
     let mut next = state.clone();
     if !next.is_embedded() || only_looks(&action) {
         if let Some(action) = lesson::admit(&mut next, action) {
-            step(&mut next, action);
+            let action = sizing::admit(&mut next, action);
+            if let Some(action) = action.and_then(|action| order::admit(&mut next, action)) {
+                step(&mut next, action);
+            }
         }
         lesson::settle(&mut next);
         // What runs is always about what there is.
@@ -57,6 +67,11 @@ pub fn reduce(state: &State, action: Action) -> State {
         if had_plan && next.so_far().is_none() {
             document::keep_to_plan(&mut next);
         }
+        area::settle(&mut next);
+        robots::settle(&mut next);
+        sizing::settle(&mut next);
+        order::settle(&mut next);
+        grow::settle(&mut next);
         rules::settle(&mut next);
         inside::look(&mut next);
     }
@@ -77,9 +92,15 @@ fn step(state: &mut State, action: Action) {
         Action::Steer(lead) => steer::steer(state, lead),
         Action::Audit(action) => audit::audit(state, action),
         Action::Find(action) => find::find(state, action),
+        Action::Area(action) => area::area(state, action),
+        Action::Grow(action) => grow::grow(state, action),
+        Action::Robots(action) => robots::robots(state, action),
         Action::Fleet(action) => fleet::fleet(state, action),
+        Action::Sizing(action) => sizing::sizing(state, action),
+        Action::FloorPlan(action) => floor_plan::floor_plan(state, &action),
         Action::Freedom(action) => freedom::freedom(state, action),
         Action::Ledger(action) => ledger::ledger(state, action),
+        Action::Order(action) => order::order(state, action),
         Action::Intake(action) => intake::intake(state, action),
         Action::Inside(action) => inside::inside(state, action),
         Action::Play(action) => {
@@ -116,9 +137,15 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         | Action::Inside(_)
         | Action::Rules(_)
         | Action::Find(_)
+        | Action::Area(_)
+        | Action::Robots(_)
+        | Action::Grow(_)
         | Action::Fleet(_)
+        | Action::Sizing(_)
+        | Action::FloorPlan(_)
         | Action::Freedom(_)
         | Action::Ledger(_)
+        | Action::Order(_)
         | Action::Intake(_)
         | Action::Slot(_)
         | Action::Lesson(_) => false,

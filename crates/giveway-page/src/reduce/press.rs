@@ -103,7 +103,13 @@ fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     stroke::release(state);
     let cell = state.document.draft.clamp(cell);
     if !state.can_write_rules() {
-        let why = tr_data!("Rules can be written where the scene itself is on the board.");
+        let why = if state.document.mode.changing().is_some() {
+            tr_data!(
+                "New zones and lanes are marked before a plan runs. A rule about a zone that is there can be added from now on, in the inspector."
+            )
+        } else {
+            tr_data!("Rules can be written where the scene itself is on the board.")
+        };
         return ask::refuse(state, why);
     }
     state.view.playback.playing = false;

@@ -28,6 +28,7 @@ pub(super) fn is_in_the_way(state: &mut State) -> bool {
 }
 
 /// What a person does while leading an agent.
+#[inline(never)]
 pub(super) fn steer(state: &mut State, lead: Lead) {
     let Some(own) = state.document.mode.steering().cloned() else {
         if lead == Lead::Begin {

@@ -7,7 +7,7 @@ use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
-use super::rules;
+use super::{area, rules};
 use crate::edit::Sketch;
 use crate::fleet::Fleet;
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
@@ -24,6 +24,7 @@ pub(super) fn drag(state: &mut State, cell: Cell) {
                 fleet.stretch(cell);
             }
         }
+        Gesture::Area(_) => return area::drag(state, cell),
         Gesture::Stroke(stroke) => Rc::make_mut(stroke).go(cell),
     }
     state.view.cursor = cell;
@@ -40,6 +41,7 @@ pub(super) fn release(state: &mut State) {
         Gesture::None | Gesture::Row => {}
         Gesture::Placing(placing) if placing.is_held => lift(state, placing),
         waiting @ Gesture::Placing(_) => state.view.gesture = waiting,
+        Gesture::Area(hand) => area::release(state, &hand),
         Gesture::Stroke(stroke) => finish(state, Rc::unwrap_or_clone(stroke)),
     }
 }
@@ -131,5 +133,7 @@ pub(super) fn abandon(state: &mut State) {
     if state.view.gesture == Gesture::Row {
         state.view.fleet = state.view.fleet.take().and_then(Fleet::without_goals);
     }
-    state.view.gesture = Gesture::None;
+    if let Gesture::Area(hand) = std::mem::take(&mut state.view.gesture) {
+        area::abandon(state, &hand);
+    }
 }

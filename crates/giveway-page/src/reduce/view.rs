@@ -17,6 +17,7 @@ pub(super) fn view(state: &mut State, action: &ViewAction) {
         ViewAction::ShowLanes(lanes) => view.lanes = lanes,
         ViewAction::Follow(on) => view.follow = on,
         ViewAction::ShowTable(on) => view.table = on,
+        ViewAction::Unfold(fold, on) => view.folds.set(fold, on),
         ViewAction::ShowTab(tab) => view.tab = tab,
         ViewAction::SetWide(on) => play::widen(state, on),
         ViewAction::Present(_) => {}

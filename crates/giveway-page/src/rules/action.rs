@@ -35,11 +35,16 @@ pub enum RuleAction {
     Begin,
     /// Begins a rule of a zone.
     OfZone(String),
+    /// Shows and opens the rule of a zone whose tab is pressed; pressed again, its next one.
+    OfTab(String),
     /// Begins to edit a rule.
     Edit(usize),
-    /// Begins to edit the number of a rule, or its times where it has none: so that it asks for
-    /// less.
+    /// Asks by how little a rule has to ask for less so that something changes; stops where
+    /// that is being found out.
     Loosen(usize),
+    /// Puts a looser rule in the place of the one that was asked about, by its place among
+    /// those that were found.
+    TakeLooser(usize),
     /// Begins a question: why a rule is not kept.
     Question,
     /// Asks why the rule that is being written is not kept.

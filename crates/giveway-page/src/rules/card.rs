@@ -3,7 +3,8 @@
 use giveway_model::condition::Times;
 use giveway_model::{Cell, Zone, tr};
 
-use super::judge::{counts, judge, times_in};
+use super::counts::{counts, times_in};
+use super::judge::judge;
 use super::pieces::is_always;
 use super::{Count, Judged, Piece, Slot, Writing, icon, parts, pieces, ranges};
 use crate::State;
@@ -40,6 +41,8 @@ pub struct Card {
     pub judged: Judged,
     /// Why the words typed last are no rule.
     pub misread: Option<String>,
+    /// The rule in words that can be typed over; those that were typed last, where they are no rule.
+    pub words: String,
     /// What can be written as well.
     pub offers: Vec<Offer>,
     /// How many robots are in its zone at each time, equal ones on end as one.
@@ -127,7 +130,11 @@ pub fn card(state: &State) -> Option<Card> {
         open: writing
             .open
             .and_then(|slot| Some((slot, editor(state, writing, slot)?))),
-        misread: writing.misread.clone(),
+        words: match &writing.misread {
+            Some((words, _)) => words.clone(),
+            None => writing.rule.sentence(),
+        },
+        misread: writing.misread.as_ref().map(|(_, why)| why.clone()),
         offers: others.map(offer).collect(),
         stays: zone.map_or_else(Vec::new, |zone| stays(state, zone)),
         counts,

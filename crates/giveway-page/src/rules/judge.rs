@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 use giveway_model::check::{Rule, Violation, check};
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::words::{and, capital, sentence};
-use giveway_model::{Constraint, Instance, Plan, Scene, sorting::set, tr};
+use giveway_model::{Constraint, Instance, Scene, sorting::set, tr};
 
 use super::never::never;
 use super::{Writing, zone_of};
-use crate::{Answer, State};
+use crate::State;
+use crate::changing::{Changing, inside};
 
 /// At most so many stretches of time are told.
 const STRETCHES: usize = 3;
@@ -17,6 +18,8 @@ const STRETCHES: usize = 3;
 /// What becomes of the plan under a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ruling {
+    /// It is in force already.
+    InForce,
     /// The plan keeps it.
     Keeps,
     /// The plan breaks it.
@@ -42,21 +45,52 @@ pub struct Judged {
     pub(crate) times: Vec<u32>,
 }
 
-/// How many robots are in the zone at some times on end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Count {
-    /// For how many times.
-    pub times: u32,
-    /// The number of robots.
-    pub robots: u32,
-    /// Whether the rule holds then.
-    pub is_in: bool,
-    /// Whether the rule is broken then.
-    pub is_over: bool,
+/// Judges the plan on the board; names a rule in force that differs in its numbers alone.
+pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
+    let mut judged = ruling(state, writing);
+    let is_open = !matches!(judged.ruling, Ruling::InForce | Ruling::Fault);
+    if let Some(kin) = kin(state, writing).filter(|_| is_open) {
+        let told = tr!(
+            "“{rule}” stays in force beside it: open that one to change it.",
+            rule = kin.sentence()
+        );
+        judged.details.push(crate::words::unnested(&told));
+    }
+    judged
 }
 
-/// Judges the plan on the board.
-pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
+/// That the times of a rule end before they begin.
+fn ends_early(rule: &Constraint) -> Option<String> {
+    let mut kind = rule.kind.clone();
+    let times = super::parts(&mut kind).times?;
+    let (from, to) = times.from.zip(times.to)?;
+    (from > to).then(|| {
+        tr!(
+            "It would end at time {to}, before it begins at time {from}.",
+            to,
+            from
+        )
+    })
+}
+
+/// A rule in force of the same kind, about the same place and robots, while a new one is written.
+fn kin<'s>(state: &'s State, writing: &Writing) -> Option<&'s Constraint> {
+    let rule = &writing.rule;
+    let is_kin = |other: &&Constraint| {
+        let (one, two) = (zone_of(&rule.kind), zone_of(&other.kind));
+        one.is_some()
+            && one == two
+            && !other.off
+            && other.kind_name() == rule.kind_name()
+            && other.agents == rule.agents
+    };
+    let mut rules = state.document.draft.scene().constraints.iter();
+    rules
+        .find(is_kin)
+        .filter(|_| writing.index.is_none() && !writing.asks)
+}
+
+fn ruling(state: &State, writing: &Writing) -> Judged {
     let scene = Scene {
         constraints: vec![Constraint {
             off: false,
@@ -82,7 +116,10 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
                 };
                 Some(sentence(&capital(&fault.to_string())))
             });
-            let own: Vec<String> = own.collect();
+            let own: Vec<String> = match ends_early(&writing.rule) {
+                Some(told) => vec![told],
+                None => own.collect(),
+            };
             return if own.is_empty() {
                 say(
                     Ruling::Open,
@@ -94,19 +131,25 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
             };
         }
     };
+    if super::twin(state, &writing.rule, writing.index).is_some() {
+        let said = tr!("Every plan of this scene keeps it.").to_owned();
+        return say(Ruling::InForce, tr!("It is in force already"), vec![said]);
+    }
     if let Some(changing) = state.document.mode.changing() {
         let title = tr!("It holds from time {at} on", at = changing.at);
-        return say(Ruling::Open, &title, Vec::new());
+        let inside = uncounted(state, changing, &writing.rule);
+        return say(Ruling::Open, &title, inside.into_iter().collect());
     }
     if let Some(why) = never(state.document.draft.scene(), &writing.rule) {
         return say(Ruling::Never, tr!("No plan can keep it"), vec![why]);
     }
     let Some(plan) = state.document.plan() else {
-        return say(
-            Ruling::Open,
-            tr!("There is no plan to judge yet."),
-            Vec::new(),
-        );
+        let title = if state.document.is_stale() {
+            tr!("The plan on the board is of the scene before: solve it again, then it is judged.")
+        } else {
+            tr!("There is no plan to judge yet.")
+        };
+        return say(Ruling::Open, title, Vec::new());
     };
     let report = check(&instance, plan);
     let broken: Vec<&Violation> = report
@@ -115,7 +158,7 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
         .filter(|violation| violation.rule == Rule::Constraint)
         .collect();
     if broken.is_empty() {
-        return kept(state, &writing.rule);
+        return kept(state, writing);
     }
     let times: BTreeSet<u32> = set(broken.iter().map(|violation| violation.time));
     let times: Vec<u32> = times.into_iter().collect();
@@ -128,13 +171,16 @@ pub(super) fn judge(state: &State, writing: &Writing) -> Judged {
     }
 }
 
-fn kept(state: &State, rule: &Constraint) -> Judged {
+fn kept(state: &State, writing: &Writing) -> Judged {
     let answer = state.document.fresh_answer();
     let is_best = answer.is_some_and(|answer| {
         answer.solved.status == giveway_solve::Status::Optimal && answer.course.is_none()
     });
-    let detail = if rule.is_penalty() {
+    let detail = if writing.rule.is_penalty() {
         tr!("It costs a penalty, which the next search counts.")
+    } else if writing.index.is_some() {
+        // The rule as it was may be what keeps a better plan away.
+        tr!("The next search tells whether there is a better one.")
     } else if is_best {
         tr!("Added, it stays the best plan.")
     } else {
@@ -146,6 +192,27 @@ fn kept(state: &State, rule: &Constraint) -> Judged {
         details: vec![detail.to_owned()],
         times: Vec::new(),
     }
+}
+
+/// The robots that are in the zone of a rule already when it is added: they are not counted until
+/// they have left it.
+fn uncounted(state: &State, changing: &Changing, rule: &Constraint) -> Option<String> {
+    let (ConstraintKind::Capacity { .. } | ConstraintKind::Closed { .. }) = rule.kind else {
+        return None;
+    };
+    let name = zone_of(&rule.kind)?;
+    let zones = &state.document.draft.scene().zones;
+    let zone = zones.iter().find(|zone| zone.name == name)?;
+    let robots = inside(changing, &zone.cell_set());
+    (!robots.is_empty()).then(|| {
+        tr!(
+            "{robots} is in {zone} then, and not counted until it has left."
+                | "{robots} are in {zone} then, and not counted until they have left."
+                    % robots.len(),
+            robots = and(&robots),
+            zone = name
+        )
+    })
 }
 
 /// Who breaks a rule, as a sentence.
@@ -197,102 +264,4 @@ pub fn ranges(times: &[u32], most: usize) -> String {
         said.push(tr!("times" => "more often").to_owned());
     }
     and(&said)
-}
-
-/// How many robots are in a zone at each time of the plan on the board, equal ones as one.
-pub(super) fn counts(state: &State, rule: &Constraint, broken: &[u32]) -> Vec<Count> {
-    let Some((plan, zone)) = state.document.plan().zip(zone_of(&rule.kind)) else {
-        return Vec::new();
-    };
-    let last = state
-        .document
-        .fresh_answer()
-        .map_or(0, |answer| answer.makespan());
-    let bound = rule.agents.as_deref();
-    let agents = state.document.agents().iter();
-    let agents = agents.filter(|agent| bound.is_none_or(|names| names.contains(&agent.name)));
-    let inside: Vec<Vec<u32>> = agents
-        .map(|agent| times_in(state, plan, zone, &agent.name, last))
-        .collect();
-    let mut kind = rule.kind.clone();
-    let times = super::parts(&mut kind).times.map(|times| *times);
-    let count = |time: u32| Count {
-        times: 1,
-        robots: inside.iter().filter(|times| times.contains(&time)).count() as u32,
-        is_in: times.is_none_or(|times| times.contains(time)),
-        is_over: broken.contains(&time),
-    };
-    let mut counts: Vec<Count> = Vec::new();
-    for count in (0..=last).map(count) {
-        match counts.last_mut() {
-            Some(run) if (Count { times: 1, ..*run }) == count => run.times += 1,
-            Some(_) | None => counts.push(count),
-        }
-    }
-    counts
-}
-
-/// The times at which a robot is in a zone: at a cell of it, or in transit over an edge with
-/// an end in it.
-pub(super) fn times_in(state: &State, plan: &Plan, zone: &str, name: &str, last: u32) -> Vec<u32> {
-    let scene = state.document.draft.scene();
-    let Some(zone) = scene.zones.iter().find(|of| of.name == zone) else {
-        return Vec::new();
-    };
-    let cells = zone.cell_set();
-    let path = plan.path(name);
-    let stays = scene.rules.at_goal == giveway_model::AtGoal::Stay;
-    let at = |time: usize| match path.get(time) {
-        Some(cell) => *cell,
-        None if stays => path.last().copied().flatten(),
-        None => None,
-    };
-    let is_in = |&time: &u32| {
-        let time = time as usize;
-        let Some(cell) = at(time) else {
-            // Between two cells, or gone.
-            let is_passing = time < path.len();
-            let ends = [time.checked_sub(1).and_then(at), at(time + 1)];
-            return is_passing && ends.into_iter().flatten().any(|end| cells.contains(&end));
-        };
-        cells.contains(&cell)
-    };
-    (0..=last).filter(is_in).collect()
-}
-
-/// Whether the plan of an answer is a plan of another scene, which has the same robots on the
-/// same map, and whether all that was proved of it holds there: each rule that is in force
-/// here is in force there, too, and the plan keeps those that came.
-pub(crate) fn keeps(answer: &Answer, scene: &Scene) -> bool {
-    let before = answer.draft.scene();
-    let rest = Scene {
-        zones: before.zones.clone(),
-        constraints: before.constraints.clone(),
-        ..scene.clone()
-    };
-    let (Some(plan), true) = (answer.plan(), rest == *before) else {
-        return false;
-    };
-    if answer.course.is_some() || answer.by.is_some() {
-        return false;
-    }
-    let cells = |scene: &Scene, name: &str| {
-        let zone = scene.zones.iter().find(|zone| zone.name == name)?;
-        Some(zone.cell_set())
-    };
-    let mut came: Vec<&Constraint> = scene.constraints.iter().filter(|rule| !rule.off).collect();
-    for rule in before.constraints.iter().filter(|rule| !rule.off) {
-        let is_it = |other: &&Constraint| other.kind == rule.kind && other.agents == rule.agents;
-        let Some(place) = came.iter().position(is_it) else {
-            return false;
-        };
-        let zone = zone_of(&rule.kind);
-        if zone.is_some_and(|zone| cells(before, zone) != cells(scene, zone)) {
-            return false;
-        }
-        came.swap_remove(place);
-    }
-    let has_penalty = came.iter().any(|rule| rule.is_penalty());
-    let is_valid = |instance: &Instance| check(instance, plan).is_valid();
-    !has_penalty && Instance::new(scene.clone()).is_ok_and(|instance| is_valid(&instance))
 }

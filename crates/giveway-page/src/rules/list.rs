@@ -1,9 +1,11 @@
 //! The rules of the problem and of the scene, as the inspector lists them.
 
+use giveway_model::constraint::TimedConstraint;
 use giveway_model::{AtGoal, Ground, Scene, tr};
 
+use super::loosening::can_loosen;
 use super::price::tag;
-use super::{Lit, Piece, Tag, icon, pieces, zone_of};
+use super::{Lit, LooserPart, Piece, Tag, icon, pieces, zone_of};
 use crate::State;
 
 /// The rules of the scene on the board.
@@ -15,6 +17,8 @@ pub struct List {
     pub problem: Vec<ProblemRule>,
     /// The rules of the scene's own.
     pub rows: Vec<Row>,
+    /// The rules that changes of the world have added or removed, with the times.
+    pub changed: Vec<String>,
     /// All zones, by name, with whether each is lit.
     pub zones: Vec<(String, bool)>,
     /// While prices are asked for: how many are known, and of how many.
@@ -61,8 +65,13 @@ pub struct Row {
     pub is_open: bool,
     /// Whether it has a number or times, of which it can ask for less.
     pub can_loosen: bool,
+    /// How it can be loosened, where somebody asked.
+    pub looser: Option<LooserPart>,
     /// Whether the best plan without it is shown beside the plan.
     pub is_beside: bool,
+    /// When the plan on the board breaks it, and who does; or that it is one of those that leave
+    /// no plan.
+    pub broken: Option<String>,
     /// Its price, where somebody asked.
     pub price: Option<Tag>,
 }
@@ -89,10 +98,13 @@ pub fn list(state: &State) -> Option<List> {
                 None => false,
             },
             is_open: state.view.rules.open == Some(index),
-            can_loosen: super::loosened(rule).is_some(),
+            can_loosen: can_loosen(rule),
+            looser: super::loosening::part(state, index),
             is_beside: state
                 .plan_without()
                 .is_some_and(|without| without.rule == index),
+            broken: super::outdated::told(state, index)
+                .or_else(|| super::clash::told(state, index)),
             price: tag(state, index, rule.off),
         }
     };
@@ -119,6 +131,7 @@ pub fn list(state: &State) -> Option<List> {
     Some(List {
         count,
         problem: of_problem(scene, state),
+        changed: changed(state),
         zones: scene
             .zones
             .iter()
@@ -134,6 +147,30 @@ pub fn list(state: &State) -> Option<List> {
         asking,
         rows,
     })
+}
+
+/// The rules that changes of the world have added or removed, as the plan on the board knows them.
+fn changed(state: &State) -> Vec<String> {
+    let answer = state.document.answer.as_ref();
+    let course = answer.and_then(|answer| answer.course.as_ref());
+    let rules = course.map_or(&[][..], |course| course.history.constraints());
+    let told = |rule: &TimedConstraint| {
+        let sentence = rule.constraint.sentence();
+        Some(match (rule.since, rule.until) {
+            (None, None) => return None,
+            (Some(since), None) => tr!("From time {since} on: {sentence}", since, sentence),
+            (None, Some(until)) => tr!("Until time {until}: {sentence}", until, sentence),
+            (Some(since), Some(until)) => {
+                tr!(
+                    "From time {since} until {until}: {sentence}",
+                    since,
+                    until,
+                    sentence
+                )
+            }
+        })
+    };
+    rules.iter().filter_map(told).collect()
 }
 
 /// The rules of the problem, as far as the scene has what they are about.

@@ -2,14 +2,20 @@
 
 mod action;
 mod card;
+mod clash;
+mod counts;
 mod judge;
+mod keeps;
 mod list;
+mod loosening;
 mod lost;
 mod never;
 mod offers;
+mod outdated;
 mod parts;
 mod pieces;
 mod price;
+mod shortest;
 mod times;
 mod waits;
 mod writing;
@@ -23,15 +29,22 @@ use crate::{Activity, State};
 
 pub use action::{Lit, RuleAction, Value};
 pub use card::{Card, Editor, Offer, Stay, card};
-pub(crate) use judge::keeps;
-pub use judge::{Count, Judged, Ruling, ranges};
+pub(crate) use clash::{Clash, in_clash};
+pub use clash::{ClashRow, ClashTimes, clash_times};
+pub use counts::Count;
+pub use judge::{Judged, Ruling, ranges};
+pub(crate) use keeps::keeps;
 pub use list::{List, ProblemRule, Row, list};
+pub(crate) use loosening::{Loosening, can_loosen, costs as looser_costs, loosen_request, looser};
+pub use loosening::{LooserPart, LooserRow};
 pub(crate) use lost::lost;
 pub(crate) use offers::{every, of_zone, offered};
+pub(crate) use outdated::{Outdated, sentence as outdated};
 pub(crate) use parts::parts;
 pub use pieces::{Piece, Slot, pieces};
 pub use price::Tag;
 pub(crate) use price::{Pricing, Without, request, without};
+pub use shortest::{in_clash_robots, short_way};
 pub(crate) use times::broken;
 pub use times::{Stretch, TimesRow, in_lit_zone, times_row};
 pub use waits::waits_for;
@@ -52,8 +65,15 @@ pub struct RulesView {
     pub(crate) without: Option<Without>,
     /// Whether the timeline shows the times of all rules.
     pub(crate) shows_all_times: bool,
+    /// Where a stale plan breaks rules that came after it.
+    pub(crate) outdated: outdated::Known,
     /// What the rules of a scene cost; it may be of an older scene.
     pub(crate) prices: Option<Rc<Pricing>>,
+    /// Rules and facts that leave no plan, as they were answered last; they may be of an older
+    /// scene.
+    pub(crate) clash: Option<Rc<Clash>>,
+    /// How a rule of a scene can be loosened; it may be of an older scene.
+    pub(crate) loosening: Option<Rc<Loosening>>,
 }
 
 impl State {
@@ -91,12 +111,17 @@ pub(crate) fn fresh_zone(scene: &Scene) -> String {
     names.find(is_free).unwrap_or_default()
 }
 
-/// The slot of a rule in which it can ask for less: its number, else its times.
-pub(crate) fn loosened(rule: &Constraint) -> Option<Slot> {
-    let mut kind = rule.kind.clone();
-    let parts = parts(&mut kind);
-    if let Some(last) = parts.numbers.len().checked_sub(1) {
-        return Some(Slot::Number(last));
-    }
-    parts.times.is_some().then_some(Slot::When)
+/// The rule in force that says the same as another one, by its index; but for the one that it takes
+/// the place of, and those that a change removes.
+pub(crate) fn twin(state: &State, rule: &Constraint, but: Option<usize>) -> Option<usize> {
+    let changing = state.document.mode.changing();
+    let is_removed = |index: usize| changing.is_some_and(|changing| changing.removes_rule(index));
+    let rules = &state.document.draft.scene().constraints;
+    let mut rules = rules.iter().enumerate();
+    let is_twin = |index: usize, other: &Constraint| {
+        let says_the_same = other.kind == rule.kind && other.agents == rule.agents;
+        says_the_same && !other.off && Some(index) != but && !is_removed(index)
+    };
+    let found = rules.find(|(index, other)| is_twin(*index, other));
+    found.map(|(index, _)| index)
 }

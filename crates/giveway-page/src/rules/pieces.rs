@@ -46,6 +46,8 @@ const FROM: u32 = 700_001;
 const TO: u32 = 700_002;
 const CELLS: u32 = 710_000;
 const NUMBERS: u32 = 720_000;
+/// What no sentence says.
+const NOBODY: &str = "qcqc";
 /// Quotes of all languages.
 const QUOTES: &[char] = &['\'', '"', '„', '“', '”', '‚', '‘', '’', '«', '»'];
 
@@ -83,6 +85,8 @@ fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
         });
     };
     let all = all_robots(&rule.kind);
+    let says_all = said_of_all(&rule.kind);
+    let is_said = rule.agents.is_none() && rule.sentence().contains(says_all);
     let parts = parts(&mut marked.kind);
     if let Some(zone) = parts.zone {
         mark(
@@ -117,7 +121,14 @@ fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
         let text = std::mem::replace(agent, name.to_owned());
         mark(name.to_owned(), Slot::Agent(index), text);
     }
-    if parts.has_who {
+    if parts.has_who && is_said {
+        marks.push(Mark {
+            begin: says_all.to_owned(),
+            end: None,
+            slot: Slot::Who,
+            text: says_all.to_owned(),
+        });
+    } else if parts.has_who {
         let (count, text) = match rule.agents.as_deref() {
             Some([one]) => (1, one.clone()),
             Some(names) => (2, and(names)),
@@ -134,6 +145,26 @@ fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
         });
     }
     (marked, marks)
+}
+
+/// How the sentence of a kind names all robots, where it does so by a word of its own: `No robot in
+/// zone 1`. The others count them: `At most 1 of all robots`.
+fn said_of_all(kind: &ConstraintKind) -> &'static str {
+    match kind {
+        ConstraintKind::Closed { .. } | ConstraintKind::NoWaiting { .. } => tr!("No robot"),
+        ConstraintKind::Depart { .. }
+        | ConstraintKind::Arrive { .. }
+        | ConstraintKind::Visit { .. }
+        | ConstraintKind::Turns { .. } => tr!("Each robot"),
+        ConstraintKind::Late { .. } => tr!("each robot"),
+        ConstraintKind::Apart { .. } => tr!("All robots"),
+        ConstraintKind::Gap { .. } => tr!("a cell stays free behind" => "any robot"),
+        ConstraintKind::Capacity { .. }
+        | ConstraintKind::OneWay { .. }
+        | ConstraintKind::Sequence { .. }
+        | ConstraintKind::Before { .. }
+        | ConstraintKind::Avoid { .. } => NOBODY,
+    }
 }
 
 /// All robots, as they stand in the sentence of a kind.

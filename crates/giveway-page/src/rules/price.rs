@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::check::check;
-use giveway_model::tr;
+use giveway_model::{Cost, tr};
 use giveway_solve::price::{Price, PriceAnswer, PriceRequest, RulePrice, words};
 use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
@@ -24,6 +24,8 @@ pub(crate) struct Pricing {
 pub struct Tag {
     /// In a few words: `+2 steps`.
     pub text: String,
+    /// The cost that grows by these steps, where its words do not name it.
+    pub of: Option<&'static str>,
     /// Its class: `cost`, `free`, `none`, `some`, `busy` or `off`.
     pub class: &'static str,
     /// Whether both sides are proved.
@@ -32,6 +34,8 @@ pub struct Tag {
     pub without: Option<String>,
     /// Whether that plan can be shown beside.
     pub has_plan: bool,
+    /// The question why it is worth its price, which that plan answers.
+    pub worth: Option<String>,
 }
 
 /// What is asked of the solver.
@@ -42,6 +46,7 @@ pub(crate) fn request(state: &State) -> PriceRequest {
         objective: None,
         within: document.within,
         start: document.plan().cloned(),
+        loosen: None,
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()
@@ -103,7 +108,7 @@ impl State {
 
     /// Whether it is being found out what the rules cost.
     pub fn is_pricing(&self) -> bool {
-        matches!(self.work.task(), Some(Task::Price(..)))
+        matches!(self.work.task(), Some(Task::Price(_, request)) if request.loosen.is_none())
     }
 
     /// What is known of the prices of the rules of the scene on the board.
@@ -118,10 +123,12 @@ impl State {
 pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
     let plain = |text: &str, class| Tag {
         text: text.to_owned(),
+        of: None,
         class,
         is_proved: false,
         without: None,
         has_plan: false,
+        worth: None,
     };
     if is_off {
         return Some(plain(tr!("a rule" => "off"), "off"));
@@ -157,12 +164,20 @@ fn known(told: &PriceAnswer, price: &RulePrice) -> Tag {
         Some(giveway_model::words::value(*cost, value))
     });
     let without: Vec<String> = without.collect();
+    let grows = |cost: &&Cost| price.difference.get(*cost).is_some_and(|&by| by > 0);
+    let first = told.objective.costs().iter().find(grows);
+    let is_of_all = price.price == Price::Costs && first == Some(&Cost::Makespan);
     Tag {
         text: words::tag(&told.objective, price),
+        of: is_of_all.then(|| giveway_model::words::name(Cost::Makespan)),
         class,
         is_proved: price.exact,
         without: (!without.is_empty())
             .then(|| tr!("Without it: {costs}.", costs = without.join(", "))),
         has_plan: price.plan.is_some(),
+        worth: (price.price == Price::Costs && price.plan.is_some()).then(|| {
+            let price = words::tag(&told.objective, price).replace('+', "");
+            tr!("Why is it worth {price}?", price)
+        }),
     }
 }

@@ -5,7 +5,7 @@ use giveway_model::check::Violation;
 use giveway_model::constraint::meant;
 use giveway_model::{Constraint, tr};
 
-use super::judge::times_in;
+use super::counts::times_in;
 use super::{Lit, icon, ranges, zone_of};
 use crate::State;
 
@@ -128,15 +128,16 @@ fn stretch(state: &State, index: usize, rule: &Constraint, last: u32) -> Option<
     })
 }
 
-/// The rules of the scene's own that the plan on the board breaks: one that is led by hand, or
-/// one of elsewhere.
+/// The rules of the scene's own that the plan on the board breaks: one that is led by hand, one of
+/// elsewhere, or one that is older than a rule.
 pub(crate) fn broken(state: &State) -> impl Iterator<Item = &Violation> {
     let led = state.document.mode.steering();
     let led = led.map(|own| own.violations.as_slice());
     let audited = state
         .audited()
         .map(|audit| audit.plan.violations.as_slice());
-    let all = led.or(audited).unwrap_or_default().iter();
+    let outdated = super::outdated::of(state).map(|it| it.violations.as_slice());
+    let all = led.or(audited).or(outdated).unwrap_or_default().iter();
     all.filter(|violation| violation.broken.is_some())
 }
 

@@ -17,8 +17,8 @@ pub(crate) struct Writing {
     pub(crate) open: Option<Slot>,
     /// What can be written as well.
     pub(crate) offers: Vec<Constraint>,
-    /// Why the words typed last are no rule.
-    pub(crate) misread: Option<String>,
+    /// The words typed last, where they are no rule, and why.
+    pub(crate) misread: Option<(String, String)>,
 }
 
 impl Writing {

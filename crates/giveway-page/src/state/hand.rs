@@ -2,6 +2,7 @@
 
 use giveway_model::Cell;
 
+use crate::area::Hand;
 use crate::gesture::{Gesture, Placing, Stroke, Thing};
 use crate::{Activity, Draft, State};
 
@@ -10,7 +11,7 @@ impl State {
     pub(crate) fn stroke(&self) -> Option<&Stroke> {
         match &self.view.gesture {
             Gesture::Stroke(stroke) => Some(stroke),
-            Gesture::None | Gesture::Placing(_) | Gesture::Row => None,
+            Gesture::None | Gesture::Placing(_) | Gesture::Row | Gesture::Area(_) => None,
         }
     }
 
@@ -18,7 +19,15 @@ impl State {
     pub const fn placing(&self) -> Option<Placing> {
         match &self.view.gesture {
             Gesture::Placing(placing) => Some(*placing),
-            Gesture::None | Gesture::Stroke(_) | Gesture::Row => None,
+            Gesture::None | Gesture::Stroke(_) | Gesture::Row | Gesture::Area(_) => None,
+        }
+    }
+
+    /// The hand on an area.
+    pub(crate) fn hand(&self) -> Option<&Hand> {
+        match &self.view.gesture {
+            Gesture::Area(hand) => Some(hand),
+            Gesture::None | Gesture::Stroke(_) | Gesture::Placing(_) | Gesture::Row => None,
         }
     }
 
@@ -83,5 +92,11 @@ impl State {
             agents.position(|(index, agent)| self.is_there(index) && agent.goal == Some(cell));
         goal.map(Thing::Goal)
             .or_else(|| Thing::painted(world, cell))
+    }
+
+    /// Whether something is being made whose next step stands in the column: robots, cells of a
+    /// floor plan, or a rule.
+    pub fn is_making(&self) -> bool {
+        self.view.fleet.is_some() || self.open_plan().is_some() || self.is_writing_rule()
     }
 }

@@ -87,12 +87,13 @@ impl State {
     /// else the board may show is not part of it.
     pub fn moment(&self) -> Moment {
         let last = if self.shows_passing() {
-            self.document.shown(false).map_or(0, |own| own.makespan())
+            let own = self.document.shown(false).filter(|own| self.plays(own));
+            own.map_or(0, |own| own.makespan())
         } else {
             u32::MAX
         };
         Moment {
-            document: self.document.clone(),
+            document: self.own_document().clone(),
             time: self.view.playback.time.min(last),
             // Whoever comes back to a plan of their own sees the robot that they lead.
             selection: match self.document.mode.steering() {

@@ -15,7 +15,7 @@ impl State {
     /// Whether the world could change at the time shown: there is a plan, and
     /// nothing has changed then or later yet. A lesson has its own ways to go on.
     pub fn can_change(&self) -> bool {
-        if self.lesson().is_some() {
+        if self.lesson().is_some() || self.late_plan().is_some() {
             return false;
         }
         let document = &self.document;
@@ -36,7 +36,9 @@ impl State {
     /// The agent that could be led by hand from the time shown: the one that is
     /// selected, where there is a plan of the scene in one world.
     pub fn can_steer(&self) -> Option<usize> {
-        let agent = self.selected_agent()?;
+        let agent = self
+            .selected_agent()
+            .filter(|_| self.late_plan().is_none())?;
         let time = self.view.playback.time;
         let can = match &self.document.mode.activity {
             Activity::Steering(own) => own.agent != agent || time < own.time(),

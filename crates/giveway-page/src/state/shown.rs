@@ -22,7 +22,12 @@ impl State {
         let is_alone = !self.view.is_wide && !self.hides_answers();
         let without = self.plan_without().map(|without| &without.answer);
         let other = self.farthest().or(without).filter(|_| is_alone);
-        let known = self.inside_plan().or_else(|| self.so_far()).or(other);
+        let late = self.late_plan();
+        let known = self
+            .inside_plan()
+            .or_else(|| self.so_far())
+            .or(late)
+            .or(other);
         known.or_else(|| self.document.shown(is_alone))
     }
 
@@ -42,9 +47,10 @@ impl State {
     }
 
     /// Whether the board shows a plan that is gone when the page is opened again: one of
-    /// another planner's order or tree, of a search that goes on, or the farthest one.
+    /// another planner's order or tree, of a search that goes on, the late or the farthest one.
     pub(crate) fn shows_passing(&self) -> bool {
-        let passing = [self.inside_plan(), self.so_far(), self.farthest()];
+        let late = self.late_plan();
+        let passing = [self.inside_plan(), self.so_far(), late, self.farthest()];
         passing.iter().any(Option::is_some)
     }
 
@@ -116,14 +122,17 @@ impl State {
     /// The plan that plays: the one that is shown, if any agent on the board has a
     /// part in it.
     pub fn playing(&self) -> Option<&Rc<Answer>> {
-        let answer = self.shown()?;
-        answer.plan()?;
+        self.shown().filter(|answer| self.plays(answer))
+    }
+
+    /// Whether an answer has a plan in which any agent on the board has a part.
+    pub(crate) fn plays(&self, answer: &Answer) -> bool {
         let draft = &self.document.draft;
         let mut agents = 0..draft.agents().len();
         let has_part = answer.course.is_some()
             || answer.agents().is_empty()
             || agents.any(|agent| answer.agent(draft, agent).is_some());
-        has_part.then_some(answer)
+        answer.plan().is_some() && has_part
     }
 
     /// The costs of the plan that plays while a search goes on; those of the best plan so far

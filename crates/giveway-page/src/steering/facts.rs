@@ -27,6 +27,8 @@ pub struct Facts {
     pub has_battery: bool,
     /// What is against the rules; lit is what is so at the time shown.
     pub violations: Vec<Happening>,
+    /// The rule of the scene's own that the last step breaks, by its index.
+    pub breaks: Option<usize>,
     /// How many more there are.
     pub more: usize,
     /// What is not done yet.
@@ -67,6 +69,11 @@ pub fn facts(state: &State) -> Option<Facts> {
         is_lit: Steering::is_now(violation, state.view.playback.time),
     });
     let to_do = steering.to_do.iter();
+    let name_of = |violation: &&giveway_model::check::Violation| {
+        violation.time == time && violation.agents.iter().any(|of| of == name)
+    };
+    let mut of_last = steering.violations.iter().filter(name_of);
+    let breaks = of_last.find_map(|it| Some(it.broken.as_ref()?.index as usize));
     Some(Facts {
         agent,
         name: name.to_owned(),
@@ -75,6 +82,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         charges: steering.charges(),
         has_battery: battery.is_some(),
         violations: violations.take(MOST).collect(),
+        breaks: breaks.filter(|_| steering.can_go_back()),
         more: steering.violations.len().saturating_sub(MOST),
         to_do: to_do.map(|open| open.message.clone()).collect(),
         rows: rows(steering),

@@ -90,6 +90,14 @@ fn turned_round_it_tells_who_costs_others() {
         assert!(!cause.losers.is_empty(), "{cause:?}");
         assert!(cause.losers.iter().all(|it| *it != cause.cause));
     }
+    let others = 3 - column
+        .causes
+        .iter()
+        .filter(|row| row.cause.agent.is_some())
+        .count();
+    let said = column.harmless.unwrap();
+    assert!(said.starts_with(&format!("{others} robot")), "{said}");
+    assert!(said.ends_with(" nobody a step."), "{said}");
     // Each reason of a row is a row here, and the other way round.
     for row in &column.losses {
         for because in &row.because {

@@ -1,20 +1,25 @@
 //! Flows with the solver's own answers.
 
 mod audit;
+mod cell;
 mod change;
 mod compare;
 mod freedom;
+mod handed_on;
 mod inside;
 mod ledger;
 mod lesson;
 mod moving;
 mod opening;
+mod order;
 mod picture;
 mod planners;
 mod present;
 mod rules;
+mod sizing;
 mod soak;
 mod steer;
+mod units;
 
 use giveway_solve::{Request, Response, SilentHost, serve};
 
@@ -49,7 +54,7 @@ fn saying(state: &State) -> String {
     words::standing(state).sentence
 }
 
-const fn select(agent: usize) -> Action {
+pub(crate) const fn select(agent: usize) -> Action {
     Action::Board(BoardAction::Select(Selection::Agent(agent)))
 }
 

@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 /// The least width of a column, in pixels.
-pub const MIN_COLUMN: f64 = 14.0;
+pub const MIN_COLUMN: f64 = 5.0;
+/// Columns narrower than this have no room for steps one by one, in pixels.
+const NARROW: f64 = 14.0;
 /// The columns drawn come in bundles, so that scrolling seldom draws anew.
 const BUNDLE: u32 = 16;
 
@@ -32,6 +34,11 @@ impl Axis {
     /// The width of all columns, in pixels.
     pub fn width(&self) -> f64 {
         f64::from(self.times) * self.column
+    }
+
+    /// Whether there is no room for steps one by one: those of one kind are joined.
+    pub fn is_narrow(&self) -> bool {
+        self.column < NARROW
     }
 
     /// The middle of the column of a time that need not be whole.
@@ -94,16 +101,16 @@ mod tests {
     #[test]
     fn columns_fill_the_room_and_never_more() {
         for room in [280.0, 583.3, 910.0, 1800.7] {
-            let axis = Axis::fit(18, room, MIN_COLUMN);
+            let axis = Axis::fit(18, room, 14.0);
             assert!(axis.width() < room && axis.width() > room - 1.0, "{room}");
         }
-        let long = Axis::fit(999, 900.0, MIN_COLUMN);
+        let long = Axis::fit(999, 900.0, 14.0);
         assert_eq!((long.column, long.width()), (14.0, 14000.0));
     }
 
     #[test]
     fn a_place_and_its_time() {
-        let axis = Axis::fit(18, 950.5, MIN_COLUMN);
+        let axis = Axis::fit(18, 950.5, 14.0);
         assert_eq!(axis.column, 50.0);
         assert_eq!(axis.x(9.5), 500.0);
         assert_eq!(axis.time_at(axis.x(7.0)), 7);
@@ -114,7 +121,7 @@ mod tests {
     fn labels_never_touch_and_tell_both_ends() {
         for last in [0, 1, 7, 18, 99, 100, 999, 12345] {
             for room in [200.0, 330.0, 900.0, 2000.0] {
-                let axis = Axis::fit(last, room, MIN_COLUMN);
+                let axis = Axis::fit(last, room, 14.0);
                 let labels = axis.labels();
                 assert_eq!((labels[0], labels[labels.len() - 1]), (0, last));
                 for pair in labels.windows(2) {
@@ -124,16 +131,24 @@ mod tests {
                 }
             }
         }
-        let phone = Axis::fit(18, 302.0, MIN_COLUMN);
+        let phone = Axis::fit(18, 302.0, 14.0);
         assert_eq!(phone.labels(), [0, 2, 4, 6, 8, 10, 12, 14, 16, 18]);
     }
 
     #[test]
+    fn a_plan_of_a_hundred_steps_fits() {
+        let axis = Axis::fit(99, 830.0, MIN_COLUMN);
+        assert!(axis.width() <= 830.0 && axis.is_narrow());
+        assert_eq!(axis.labels()[..3], [0, 5, 10]);
+        assert!(Axis::fit(299, 830.0, MIN_COLUMN).width() > 1400.0);
+    }
+
+    #[test]
     fn only_columns_near_what_is_seen_are_drawn() {
-        let axis = Axis::fit(999, 900.0, MIN_COLUMN);
+        let axis = Axis::fit(999, 900.0, 14.0);
         assert_eq!(axis.seen(0.0, 900.0), 0..96);
         assert_eq!(axis.seen(7000.0, 7900.0), 480..592);
         assert_eq!(axis.seen(13_100.0, 14_000.0), 912..1000);
-        assert_eq!(Axis::fit(18, 900.0, MIN_COLUMN).seen(0.0, 900.0), 0..19);
+        assert_eq!(Axis::fit(18, 900.0, 14.0).seen(0.0, 900.0), 0..19);
     }
 }

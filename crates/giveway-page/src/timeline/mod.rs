@@ -9,7 +9,7 @@ mod shapes;
 
 pub use axis::{Axis, MIN_COLUMN, whole};
 pub use gauge::{Gauge, gauge, work_done};
-pub use lane::{Lane, Step, Way};
+pub use lane::{Lane, Step, Turn, Way};
 pub use row::Row;
 pub use shapes::Shapes;
 pub(crate) use shapes::{rounded, stripes};

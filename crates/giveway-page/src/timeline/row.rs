@@ -17,6 +17,8 @@ pub struct Row {
 
 /// Lanes are lower from this many agents on.
 const DENSE_FROM: usize = 4;
+/// From this many agents on they have no room for batteries.
+const MANY_FROM: usize = 9;
 
 impl Row {
     /// Room for a few agents.
@@ -34,6 +36,23 @@ impl Row {
         thick: 12.0,
         level: 21.0,
         tall: 11.0,
+    };
+
+    /// Of a crowd: room for the bars alone.
+    pub const MANY: Self = Self {
+        height: 26.0,
+        bar: 7.0,
+        thick: 12.0,
+        level: 25.0,
+        tall: 0.0,
+    };
+    /// The lane of the agent selected, above those of a crowd.
+    pub const PINNED: Self = Self {
+        height: 44.0,
+        bar: 8.0,
+        thick: 12.0,
+        level: 25.0,
+        tall: 14.0,
     };
 
     /// Half of a lane that shows two plans; batteries have no room there.
@@ -57,6 +76,7 @@ impl Row {
     /// Of so many agents, so many of them with a battery.
     pub const fn of(agents: usize, batteries: usize) -> Self {
         match (agents, batteries) {
+            (MANY_FROM.., _) => Self::MANY,
             (_, 0) => Self::BARE,
             (..DENSE_FROM, _) => Self::WIDE,
             _ => Self::DENSE,
@@ -69,6 +89,7 @@ impl Row {
             row if *row == Self::BARE => Some("bare"),
             row if *row == Self::DENSE => Some("dense"),
             row if *row == Self::HALF => Some("two"),
+            row if *row == Self::MANY => Some("many"),
             _ => None,
         }
     }

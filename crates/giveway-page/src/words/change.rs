@@ -1,135 +1,41 @@
 //! Changes and methods in words.
 
-use giveway_model::change::{ConstraintRef, What};
+use giveway_model::tr;
 use giveway_model::words::and;
-use giveway_model::{Cell, tr};
 use giveway_solve::change::Method;
 
 use super::costs::values;
-use crate::changing::{Changing, Comparing, Tried, texts};
+use crate::changing::{Changing, Comparing, Tried, count, texts};
+use crate::course::Adopted;
 use crate::timeline::work_done;
-use crate::words::at;
 use crate::{Adapting, Answer};
 
-/// A change as a sentence without its stop, and what else there is to know.
-///
-/// ```
-/// use giveway_model::change::What;
-/// use giveway_page::words::change::sentence;
-/// let delay = What::DelayAgent { agent: "A1".into(), steps: 3 };
-/// assert_eq!(sentence(&delay).0, "A1 breaks down for 3 steps");
-/// ```
-pub fn sentence(what: &What) -> (String, Option<String>) {
-    let told = match what {
-        What::AddAgent { agent } => {
-            let goal = agent.goal.map(at);
-            let detail = match (goal, agent.waypoints.as_slice()) {
-                (None, []) => tr!("rests anywhere").to_owned(),
-                (None, waypoints) => tr!(
-                    "rests anywhere, by way of {cells}",
-                    cells = cells(waypoints)
-                ),
-                (Some(goal), []) => tr!("goal {goal}", goal),
-                (Some(goal), waypoints) => tr!(
-                    "goal {goal}, by way of {cells}",
-                    goal,
-                    cells = cells(waypoints)
-                ),
-            };
-            let text = tr!(
-                "{agent} joins at {cell}",
-                agent = agent.name,
-                cell = at(agent.start)
-            );
-            return (text, Some(detail));
-        }
-        What::SetSlow { cells } if cells.len() > 1 => {
-            let text = tr!("{n} cell becomes slow" | "{n} cells become slow" % cells.len());
-            return (text, Some(self::cells(cells)));
-        }
-        What::SetNormal { cells } if cells.len() > 1 => {
-            let text =
-                tr!("{n} cell is no longer slow" | "{n} cells are no longer slow" % cells.len());
-            return (text, Some(self::cells(cells)));
-        }
-        What::SetSlow { cells } => tr!("{cell} becomes slow", cell = self::cells(cells)),
-        What::SetNormal { cells } => tr!("{cell} is no longer slow", cell = self::cells(cells)),
-        What::RemoveAgent { agent } => tr!("{agent} is removed", agent),
-        What::AddObstacle { cell } => tr!("New obstacle at {cell}", cell = at(*cell)),
-        What::RemoveObstacle { cell } => tr!("Obstacle at {cell} removed", cell = at(*cell)),
-        What::MoveObstacle { from, to } => {
-            tr!(
-                "Obstacle at {from} moves to {to}",
-                from = at(*from),
-                to = at(*to)
-            )
-        }
-        What::AddCharger { cell } => tr!("New charger at {cell}", cell = at(*cell)),
-        What::RemoveCharger { cell } => tr!("Charger at {cell} removed", cell = at(*cell)),
-        What::SetGoal { agent, cell } => {
-            tr!("The goal of {agent} is now {cell}", agent, cell = at(*cell))
-        }
-        What::AddWaypoint { agent, cell } => {
-            tr!("{agent} also has to visit {cell}", agent, cell = at(*cell))
-        }
-        What::DropWaypoint { agent, cell } => {
-            tr!(
-                "{agent} no longer has to visit {cell}",
-                agent,
-                cell = at(*cell)
-            )
-        }
-        What::SetBattery { agent, level } => {
-            tr!("The battery of {agent} is at {level}", agent, level)
-        }
-        What::DelayAgent { agent, steps } => {
-            tr!(
-                "{agent} breaks down for {n} step" | "{agent} breaks down for {n} steps" % *steps,
-                agent
-            )
-        }
-        What::AddConstraint { constraint } => {
-            let sentence = constraint.sentence();
-            return match &constraint.name {
-                Some(name) => (tr!("New rule '{name}'", name), Some(sentence)),
-                None => (tr!("New rule: {sentence}", sentence), None),
-            };
-        }
-        What::RemoveConstraint { constraint } => match constraint {
-            ConstraintRef::Name(name) => tr!("Rule '{name}' removed", name),
-            ConstraintRef::Index(index) => tr!("Rule number {n} removed", n = index),
-        },
-    };
-    (told, None)
-}
-
-/// The most cells that are named one by one.
-const NAMED: usize = 6;
-
-fn cells(cells: &[Cell]) -> String {
-    let named: Vec<String> = cells.iter().take(NAMED).map(|&cell| at(cell)).collect();
-    match cells.len().saturating_sub(NAMED) {
-        0 => named.join(", "),
-        more => tr!("{cells} and {more} more", cells = named.join(", "), more),
-    }
-}
-
-/// A method by itself: `Tunnel 1`.
-pub fn method(method: Method) -> String {
+/// A method by itself: `Near the old paths`.
+pub fn method(method: Method) -> &'static str {
     match method {
-        Method::Revise => tr!("Revise").to_owned(),
-        Method::Tunnel(width) => tr!("Tunnel {width}", width),
-        Method::Replan => tr!("Replan").to_owned(),
+        Method::Revise => tr!("New times"),
+        Method::Tunnel(_) => tr!("Near the old paths"),
+        Method::Replan => tr!("Everything new"),
     }
 }
 
-/// A method within a sentence: `tunnel 1`.
+/// A method within a sentence, in quotes.
 pub fn method_in_words(method: Method) -> String {
-    match method {
-        Method::Revise => tr!("a method, in a sentence" => "revise").to_owned(),
-        Method::Tunnel(width) => tr!("a method, in a sentence" => "tunnel {width}", width),
-        Method::Replan => tr!("a method, in a sentence" => "replan").to_owned(),
-    }
+    tr!("a method, in a sentence" => "“{name}”", name = self::method(method))
+}
+
+/// The method that was adopted within a sentence, with those that found the same plan; nothing
+/// where that is not known.
+pub fn methods_in_words(step: &Adopted) -> Option<String> {
+    let also = step.also.into_iter().flatten();
+    let mut methods: Vec<Method> = step.method.into_iter().chain(also).collect();
+    methods.sort_by_key(|method| match method {
+        Method::Revise => 0,
+        Method::Tunnel(_) => 1,
+        Method::Replan => 2,
+    });
+    let names: Vec<String> = methods.into_iter().map(method_in_words).collect();
+    (!names.is_empty()).then(|| and(&names))
 }
 
 /// While changes are listed.
@@ -140,10 +46,10 @@ pub(super) fn changing(changing: &Changing) -> String {
             "The world changes at time {at}: change it with the tools, then find new plans.",
             at
         ),
-        list => {
+        _ => {
             tr!(
                 "The world changes at time {at}: {n} change listed."
-                    | "The world changes at time {at}: {n} changes listed." % list.len(),
+                    | "The world changes at time {at}: {n} changes listed." % count(changing),
                 at
             )
         }
@@ -170,7 +76,7 @@ pub(super) fn adapting(run: &Adapting) -> String {
     }
 }
 
-/// `At time 2: revise has makespan 5; tunnel 1 and replan have makespan 4.`
+/// `At time 2: “New times” has makespan 5; “Near the old paths” and “Everything new” have makespan 4.`
 pub(super) fn compared(comparing: &Comparing) -> String {
     let mut parts: Vec<(Option<u32>, Vec<String>)> = Vec::new();
     for Tried { method, told, .. } in &comparing.tried {
@@ -207,17 +113,14 @@ pub(super) fn adopted(answer: &Answer) -> String {
     let costs = answer.solved.costs.map(|costs| values(objective, &costs));
     let costs = costs.unwrap_or_default();
     let steps = answer.course.as_deref().map(|course| &course.steps);
-    let method = steps.and_then(|steps| steps.last()?.method);
+    let method = steps.and_then(|steps| methods_in_words(steps.last()?));
     match method {
-        Some(method) => {
-            let way = method_in_words(method);
-            tr!(
-                "The world changed at time {at}; the plan went on by {way}: {costs}.",
-                at,
-                way,
-                costs
-            )
-        }
+        Some(way) => tr!(
+            "The world changed at time {at}; the plan went on with {way}: {costs}.",
+            at,
+            way,
+            costs
+        ),
         None => tr!(
             "The world changed at time {at}; the plan went on: {costs}.",
             at,

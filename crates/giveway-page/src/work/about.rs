@@ -25,10 +25,17 @@ impl Task {
                 changing.is_some_and(|changing| Rc::ptr_eq(changing, &run.changing))
             }
             Self::Freedom(request) => Certifies::Freedom(Rc::clone(request)).is_in(document),
+            // The reducer ends it where its floor is another one.
+            Self::Sizing(_) => true,
             Self::Price(draft, request) => is_of(draft, request.within, document),
             Self::Delays(request) => {
                 let ledger = document.ledger();
                 ledger.is_some_and(|ledger| Rc::ptr_eq(&ledger.request, request))
+                    && document.mode.is_editing()
+            }
+            Self::Order(request) => {
+                let order = document.order();
+                order.is_some_and(|order| Rc::ptr_eq(&order.request, request))
                     && document.mode.is_editing()
             }
         }

@@ -7,7 +7,7 @@ use super::motion::When;
 use super::stage::Stage;
 use crate::letters::Anchor;
 use crate::xml::{Escaped, Number};
-use crate::{Badge, CELL, Detail, Ink, Pose, Track, corner, form};
+use crate::{Badge, CELL, Detail, Ink, Pose, Track, TurnSide, corner, form};
 
 /// The least radius of a robot on a large map, in pixels: it is seen, though it is larger
 /// than its cell.
@@ -70,7 +70,7 @@ impl Stage {
                     format_args!("<circle r=\"{radius}\" fill=\"{fill}\"/>"),
                 );
             }
-            Detail::Forms => {
+            Detail::Forms | Detail::Numbers => {
                 svg.push_str("<g transform=\"scale(1.35)\">");
                 shape(self.looks[agent], [fill, on, self.inks.floor], svg);
                 svg.push_str("</g>");
@@ -166,6 +166,9 @@ impl Stage {
         svg.push_str("</g>");
         self.badge(Badge::Charges, track, pose, when, svg);
         self.badge(Badge::Waits, track, pose, when, svg);
+        for side in TurnSide::ALL {
+            self.badge(Badge::Turns(side), track, pose, when, svg);
+        }
         self.badge(Badge::Broken, track, pose, when, svg);
     }
 
@@ -193,6 +196,14 @@ impl Stage {
                 inks.wait,
                 format!(
                     "d=\"{PAUSE}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
+                    inks.floor
+                ),
+            ),
+            Badge::Turns(side) => (
+                inks.wait,
+                format!(
+                    "d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+                    side.arrow(),
                     inks.floor
                 ),
             ),

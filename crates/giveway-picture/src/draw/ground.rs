@@ -29,8 +29,8 @@ impl Stage {
             inks.floor
         );
         for layer in Layer::ALL {
-            if layer == Layer::Slow && look.has_lines() {
-                let lines = lines(grid.width(), grid.height());
+            if layer == Layer::Slow && look.has_lines {
+                let lines = lines(grid.width(), grid.height(), 1);
                 let ink = inks.line;
                 push(
                     &mut svg,

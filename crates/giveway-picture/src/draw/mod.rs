@@ -13,6 +13,7 @@ mod rules;
 mod sheet;
 mod signs;
 mod stage;
+mod stays;
 mod time;
 mod words;
 

@@ -45,7 +45,7 @@ impl Stage {
         match self.detail {
             Detail::All => 3.0,
             Detail::Plain => 4.5,
-            Detail::Forms | Detail::Dots => 7.0,
+            Detail::Numbers | Detail::Forms | Detail::Dots => 7.0,
         }
     }
 
@@ -137,7 +137,7 @@ impl Stage {
         let scale = match self.detail {
             Detail::All => 1.0,
             Detail::Plain => 1.2,
-            Detail::Forms => 1.75,
+            Detail::Forms | Detail::Numbers => 1.75,
             Detail::Dots => 3.0,
         };
         push(

@@ -101,7 +101,7 @@ impl Stage {
         let scale = match self.detail {
             Detail::All | Detail::Dots => 1.0,
             Detail::Plain => 1.25,
-            Detail::Forms => 1.65,
+            Detail::Forms | Detail::Numbers => 1.65,
         };
         let (floor, line) = (self.inks.floor, self.inks.rule_line);
         let (x, y, left, across) = (Number(x), Number(y), Number(-width / 2.0), Number(width));

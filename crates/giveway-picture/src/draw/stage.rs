@@ -5,7 +5,7 @@ use giveway_model::{Agent, Instance, Plan};
 
 use crate::ink::{Ink, Inks, robot};
 use crate::xml::{Escaped, Number};
-use crate::{Detail, Letters, Look, Mark, Track, Way, form, letters, marks_with};
+use crate::{Detail, Letters, Look, Mark, Stay, Track, Way, form, letters, marks_with, stays};
 
 use super::motion::{Motion, When};
 use super::sheet::Sheet;
@@ -22,6 +22,8 @@ pub(crate) struct Stage {
     pub(crate) tracks: Vec<Track>,
     pub(super) ways: Vec<Way>,
     pub(super) marks: Vec<Mark>,
+    /// The stays that rules ask for.
+    pub(super) stays: Vec<Stay>,
     /// What stands on the form of each agent.
     pub(super) badges: Vec<String>,
     /// The last time at which something happens.
@@ -48,6 +50,7 @@ impl Stage {
             sheet: Sheet::new(instance.grid(), look.cell),
             ways: Way::of_all(&tracks),
             marks: marks_with(agents, &tracks, &badges),
+            stays: stays(instance.constraints(), agents, plan),
             badges,
             tracks,
             steps,
@@ -79,10 +82,12 @@ impl Stage {
         [self.things(when), self.time(when)].concat()
     }
 
-    /// Zones that are closed, agents and marks, with the tags of rules above them.
+    /// Zones that are closed, agents and marks, with the tags of rules above them, and stays that
+    /// count down.
     fn things(&self, when: &mut When<'_>) -> String {
         let zones = self.zones_at(when);
-        [zones, self.agents(when), self.flags(when), self.rule_tags()].concat()
+        let (agents, flags) = (self.agents(when), self.flags(when));
+        [zones, agents, flags, self.rule_tags(), self.stays_at(when)].concat()
     }
 
     /// The colour of an agent, and the one of its name on it.

@@ -1,6 +1,8 @@
 //! The rules of a scene's own as shapes: zones with signs, lanes, tags at robots and goals.
 
+mod kept;
 mod kind;
+mod stays;
 mod tab;
 mod tags;
 
@@ -11,7 +13,9 @@ use crate::outline::around;
 use tab::{Spot, folded, tab, times};
 use tags::place;
 
+pub use kept::{KeptShape, kept};
 pub use kind::{in_force, zone_of};
+pub use stays::{Stay, first_stay, stays};
 
 /// How far an outline stays inside of its cells, and that of a zone around others, in units.
 const INSET: i64 = 5;
@@ -112,6 +116,8 @@ pub struct TagShape {
     pub class: &'static str,
     /// Whether it stands above the middle of the cell; else below.
     pub is_above: bool,
+    /// Whether its rule is broken at the time shown, or one of those that leave no plan.
+    pub is_broken: bool,
 }
 
 impl TagShape {
@@ -132,7 +138,7 @@ impl TagShape {
 pub struct RulesNow {
     /// Which rules hold.
     pub holds: Vec<bool>,
-    /// Which rules are broken, by their indices.
+    /// Which rules are broken, or leave no plan, by their indices.
     pub broken: Vec<usize>,
     /// Where a robot makes a stay that a rule asks for, with how many steps of it are left.
     pub stays: Vec<(Cell, u32)>,
@@ -199,6 +205,7 @@ pub fn rule_shapes(map: RuledMap<'_>, now: &RulesNow, lit: LitRule<'_>) -> RuleS
             text: left.to_string(),
             class: "stay now",
             is_above: true,
+            is_broken: false,
         });
     }
     shapes

@@ -23,6 +23,7 @@ pub(super) fn place(
         text,
         class,
         is_above,
+        is_broken,
     };
     match &rule.kind {
         ConstraintKind::OneWay { lane } => shapes.lanes.push(LaneShape {

@@ -7,7 +7,7 @@ mod tests;
 
 use giveway_model::{AtGoal, Cell};
 
-pub use pose::{Badge, Charge, Pose};
+pub use pose::{Badge, Charge, Pose, TurnSide};
 
 use crate::whole;
 use heading::{headings, last_stop};
@@ -22,6 +22,8 @@ pub struct Track {
     /// By time, in degrees from the right, clockwise; empty for one that never
     /// moves.
     headings: Vec<f64>,
+    /// Whether it faces somewhere after its last move, too.
+    faces_on: bool,
     vanishes: bool,
     /// When it joins.
     from: u32,
@@ -47,6 +49,7 @@ impl Track {
             charges,
             battery,
             headings,
+            faces_on: false,
             vanishes: at_goal == AtGoal::Vanish,
             from: 0,
             until: None,
@@ -81,6 +84,17 @@ impl Track {
     pub fn turning(mut self, headings: Vec<f64>) -> Self {
         self.headings = headings;
         self
+    }
+
+    /// The same of an agent whose turns take time: where it faces at each time, in degrees from the
+    /// right, clockwise. It faces somewhere after its last move and without a plan, too.
+    #[must_use]
+    pub fn facing(self, headings: Vec<f64>) -> Self {
+        Self {
+            headings,
+            faces_on: true,
+            ..self
+        }
     }
 
     /// The same of an agent that breaks down: from the first of each two times up to, not
@@ -120,6 +134,14 @@ impl Track {
     /// Whether it waits anywhere before its arrival, and is not broken down then.
     pub fn has_waits(&self) -> bool {
         (self.from as usize..self.path.len()).any(|step| self.badge(step) == Some(Badge::Waits))
+    }
+
+    /// Whether it turns anywhere in a step of its own.
+    pub fn has_turns(&self) -> bool {
+        let badges = (self.from as usize..self.path.len()).filter_map(|step| self.badge(step));
+        badges
+            .into_iter()
+            .any(|badge| matches!(badge, Badge::Turns(_)))
     }
 
     /// Whether it stands broken down at any time.

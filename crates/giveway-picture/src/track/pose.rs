@@ -16,6 +16,8 @@ pub struct Pose {
     pub heading: Option<f64>,
     /// Its battery; `None` without one.
     pub charge: Option<Charge>,
+    /// Where it will face, in degrees, while it turns in a step of its own.
+    pub turns_to: Option<f64>,
     /// What it does, where its motion does not show it.
     pub badge: Option<Badge>,
     /// Both ends of the slow move that it is on.
@@ -64,8 +66,35 @@ pub enum Badge {
     Charges,
     /// It waits.
     Waits,
+    /// It turns, in a step of its own.
+    Turns(TurnSide),
     /// It is broken down.
     Broken,
+}
+
+/// The side to which an agent turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TurnSide {
+    /// To the left.
+    Left,
+    /// To the right.
+    Right,
+    /// Half a turn.
+    Back,
+}
+
+impl TurnSide {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Left, Self::Right, Self::Back];
+
+    /// The arrow of a turn, around (0, 0).
+    pub const fn arrow(self) -> &'static str {
+        match self {
+            Self::Left => "M6.5 8V1.5A5 5 0 0 0 1.5-3.5H-7M-2.5-8-7-3.5-2.5 1",
+            Self::Right => "M-6.5 8V1.5A5 5 0 0 1-1.5-3.5H7M2.5-8 7-3.5 2.5 1",
+            Self::Back => "M-5.5 8V-2A5 5 0 0 1 4.5-2V7M.5 3 4.5 7 8.5 3",
+        }
+    }
 }
 
 impl Track {
@@ -84,6 +113,7 @@ impl Track {
         Some(Pose {
             at,
             heading: self.heading(time),
+            turns_to: self.turn(step).map(|(_, to)| to),
             charge: self.charge(time),
             badge: self.badge(step),
             transit: self.transit(step, time),
@@ -122,7 +152,9 @@ impl Track {
         if is_broken {
             return Some(Badge::Broken);
         }
-        (Some(here) == *self.path.get(step + 1)?).then_some(Badge::Waits)
+        let waits = Some(here) == *self.path.get(step + 1)?;
+        let turns = self.turn(step).map(|(side, _)| Badge::Turns(side));
+        waits.then(|| turns.unwrap_or(Badge::Waits))
     }
 
     fn transit(&self, step: usize, time: f64) -> Option<(Cell, Cell)> {

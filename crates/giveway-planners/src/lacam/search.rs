@@ -8,6 +8,7 @@ use super::{
     trace::{Event, Made, Trace},
 };
 use crate::{
+    AgentId,
     budget::{Budget, MemoryUse, Stop},
     chance::shuffle,
     pibt::{Guide, Priorities, Ranks, Step},
@@ -116,11 +117,21 @@ impl<'s> Search<'s> {
         self.steps += 1;
         self.constrain_next(from, constraint);
         let made = self.make(from);
+        let explored = &self.explored;
+        let order = explored.nodes[from as usize].priorities.order.iter();
         self.trace.tell(|| Event {
             from,
+            constrained: order
+                .zip(&self.path)
+                .map(|(&agent, _)| agent as AgentId)
+                .collect(),
             constraints: self.path.clone(),
             inherited: self.step.inherited().to_vec(),
             made,
+            cells: match made {
+                Made::New(to) => explored.cells(to).to_vec(),
+                Made::Again(_) | Made::Nothing => Vec::new(),
+            },
         });
         if let Made::Again(to) = made {
             self.again(from, to);

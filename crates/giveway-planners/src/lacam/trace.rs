@@ -1,7 +1,10 @@
 //! The steps of LaCAM as data: which configuration was made from which.
 
 use super::ConfigurationId;
-use crate::{pibt::Inheritance, terrain::Vertex};
+use crate::{AgentId, pibt::Inheritance, terrain::Vertex};
+
+/// The cells of so many agents are told, of all configurations together.
+const MOST_CELLS: usize = 50_000;
 
 /// The result of one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,12 +22,17 @@ pub enum Made {
 pub struct Event {
     /// The configuration that it begins in.
     pub from: ConfigurationId,
-    /// Where the first agents of its order had to go.
+    /// The first agents of its order, which had to go somewhere.
+    pub constrained: Vec<AgentId>,
+    /// Where they had to go.
     pub constraints: Vec<Vertex>,
     /// The inheritances of priority.
     pub inherited: Vec<Inheritance>,
     /// The result.
     pub made: Made,
+    /// Where the agents are in a configuration that is new; nothing of others, and where
+    /// configurations are too many to be told.
+    pub cells: Vec<Vertex>,
 }
 
 /// The first steps of the search.
@@ -33,6 +41,8 @@ pub struct Trace {
     /// The steps in their order.
     pub events: Vec<Event>,
     limit: usize,
+    /// How many more cells are told.
+    cells: usize,
 }
 
 impl Trace {
@@ -41,13 +51,19 @@ impl Trace {
         Self {
             events: Vec::new(),
             limit,
+            cells: MOST_CELLS,
         }
     }
 
     /// Adds a step, while there is room.
     pub(super) fn tell(&mut self, event: impl FnOnce() -> Event) {
         if self.events.len() < self.limit {
-            self.events.push(event());
+            let mut event = event();
+            match self.cells.checked_sub(event.cells.len()) {
+                Some(left) => self.cells = left,
+                None => event.cells.clear(),
+            }
+            self.events.push(event);
         }
     }
 }

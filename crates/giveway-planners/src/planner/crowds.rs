@@ -43,7 +43,10 @@ pub(super) fn pibt(asked: &Asked, mut best: Best, budget: &dyn Budget) -> Report
     Report {
         outcome,
         steps: u64::from(made.steps),
-        trace: asked.traced.then_some(Trace::Pibt(made.inherited)),
+        trace: asked.traced.then_some(Trace::Pibt {
+            inherited: made.inherited,
+            leaders: made.leaders,
+        }),
     }
 }
 

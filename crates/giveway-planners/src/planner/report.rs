@@ -2,6 +2,7 @@
 
 use super::{Best, Improvement, Inability};
 use crate::{
+    AgentId,
     budget::Stop,
     cbs::{LowerBound, Proved, Tree},
     lacam,
@@ -127,8 +128,13 @@ pub enum Trace {
     Prioritised(Vec<OrderAttempt>),
     /// The constraint tree.
     Cbs(Tree),
-    /// The inheritances of priority, each with the time at which its step begins.
-    Pibt(Vec<(u32, Inheritance)>),
+    /// The steps of PIBT.
+    Pibt {
+        /// The inheritances of priority, each with the time at which its step begins.
+        inherited: Vec<(u32, Inheritance)>,
+        /// The agent of the highest priority in each step.
+        leaders: Vec<AgentId>,
+    },
     /// The configurations.
     Lacam(lacam::Trace),
     /// The better plans.

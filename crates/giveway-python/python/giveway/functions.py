@@ -12,8 +12,8 @@ from giveway._plain import plain
 from giveway._record import Record
 from giveway._request import by_kind, costs, words
 from giveway.answers import (
-    Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Delays, Explanation, Freedom, FreedomPart, Front, Planner,
-    PlannerAnswer, Prices, Together, Verdict, on,
+    Answer, AuditAnswer, Certificates, ChangeAnswer, Comparison, Delays, Explanation, Freedom, FreedomPart, Front, Order, Planner,
+    PlannerAnswer, Prices, Sizing, Together, Verdict, on,
 )
 from giveway.errors import refusal
 from giveway.plan import Plan
@@ -226,6 +226,46 @@ def delays(
         ledger_only=ledger_only)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return _ask(Delays, "delays", request, on_progress, should_stop)
+
+
+def order(
+    scene: AnyScene, plan: AnyPlan | None = None, *, changes: Mapping[str, Any] | None = None,
+    late: Sequence[Mapping[str, Any]] | None = None, to: Sequence[str] | None = None, objective: Objective | None = None,
+    within: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Order:
+    """Tells in which order robots pass each cell, and who is pushed if some are ``late``: each has an
+    ``agent``, a ``cell`` and ``steps``. ``to`` names formats in which it is written, too: ``dot``, ``csv``,
+    ``waypoints``, ``vda5050``. Without a plan the scene is solved first.
+
+    >>> from giveway import Agent, Scene
+    >>> scene = Scene(map=("....",), agents=(Agent("A", (1, 0), (3, 0)), Agent("B", (0, 0), (2, 0))))
+    >>> found = order(scene, late=[{"agent": "A", "cell": [2, 0], "steps": 3}], to=["dot"])
+    >>> found.without_slack, found.late["arrivals"][1]["now"], found.files[0]["text"][:7]
+    (2, 5, 'digraph')
+    """
+    request = without_none(
+        scene=scene, plan=plan, changes=changes, late=late, to=to, objective=costs(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return _ask(Order, "order", request, on_progress, should_stop)
+
+
+def sizing(
+    scene: AnyScene, counts: Sequence[int], *, beside: AnyScene | None = None, objective: Objective | None = None,
+    within: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+) -> Sizing:
+    """Tells how many robots a floor bears: the best plan of the first robots of a scene, for ascending numbers
+    of them, and beside it on another floor. Each limit is of one solve.
+
+    >>> from giveway import Agent, Scene
+    >>> agents = (Agent("A", (0, 0), (2, 0)), Agent("B", (2, 0), (0, 0)))
+    >>> [point.costs.makespan for point in sizing(Scene(map=("...", "#.#"), agents=agents), [1, 2]).points]
+    [2, 5]
+    """
+    request = without_none(scene=scene, counts=counts, beside=beside, objective=costs(objective), within=within)
+    request["limits"] = limits(time_limit, conflict_limit, memory_limit)
+    return _ask(Sizing, "sizing", request, on_progress, should_stop)
 
 
 def together(

@@ -77,6 +77,14 @@ class Zone(Record):
 
 
 @dataclass(frozen=True)
+class Units(Record):
+    """The side of a ``cell`` in metres, and the length of a ``step`` in seconds."""
+
+    cell: float
+    step: float
+
+
+@dataclass(frozen=True)
 class Scene(Record):
     """An instance of the problem.
 
@@ -100,6 +108,8 @@ class Scene(Record):
     zones: tuple[Zone, ...] = optional(default=())
     #: Rules of its own: ``{"kind": "capacity", "zone": "aisle 3", "most": 1}``.
     constraints: tuple[dict[str, Any], ...] = optional(default=())
+    #: What a cell and a time step are in the world; no claim is about them.
+    units: Units | None = optional()
 
     @property
     def width(self) -> int:

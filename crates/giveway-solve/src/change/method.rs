@@ -88,6 +88,7 @@ fn search(
     };
     let contact = Contact {
         start: None,
+        earlier: None,
         on_better: &on_better,
     };
     solve(problem, case.objective, bounded, &contact, &case.budget)

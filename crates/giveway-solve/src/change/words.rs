@@ -30,7 +30,7 @@ pub(crate) fn cause(cause: &Cause) -> String {
     );
     let bounds = match method {
         Method::Revise => tr!("on its old path"),
-        Method::Tunnel(_) => tr!("in its tunnel"),
+        Method::Tunnel(_) => tr!("near its old path"),
         Method::Replan => tr!("on any path"),
     };
     if let (CauseKind::Blocked, Some(rule)) = (kind, &rule) {
@@ -100,7 +100,7 @@ pub(crate) fn cause(cause: &Cause) -> String {
             they
         ),
         (CauseKind::Blocked, Method::Tunnel(_)) => tr!(
-            "{robots} block each other: {they} cannot all stay in their tunnels.",
+            "{robots} block each other: {they} cannot all stay near their old paths.",
             robots = list(agents),
             they
         ),
@@ -121,7 +121,7 @@ fn blocked_by_rule(cause: &Cause, rule: &str) -> String {
             rule
         ),
         Method::Tunnel(_) => tr!(
-            "{robots} cannot all arrive in their tunnels and keep {rule}.",
+            "{robots} cannot all arrive near their old paths and keep {rule}.",
             robots,
             rule
         ),

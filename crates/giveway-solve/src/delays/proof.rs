@@ -104,6 +104,7 @@ pub(super) fn prove(proving: &Proving, budget: &Rc<Budget>) -> DelayProof {
     let bounded = Bounded { horizon, limits };
     let contact = Contact {
         start: Some(walks),
+        earlier: None,
         on_better: &|_, _| {},
     };
     let found = search::solve(problem, &objective, &bounded, &contact, budget);

@@ -7,10 +7,11 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Cost;
 use serde::{Deserialize, Serialize};
 
-pub(crate) use tight::subset_bounds;
+pub(crate) use tight::{forcing_bound, subset_bounds};
 
 /// What some agents alone need: with only these in the scene, no plan costs less. So the plans of
-/// all agents cost no less, either.
+/// all agents cost no less, either. After a change all three costs are of the whole plan, with what
+/// was paid before.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct SubsetBound {
     /// The agents, in the instance's order.

@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Cost, Costs, Plan, check::Violation};
 use serde::{Deserialize, Serialize};
 
-use super::fact_groups::FactGroup;
+use super::fact_groups::{FactGroup, FactPrice};
 use crate::Reach;
 
 /// A count that is higher for an agent in this plan than in a better one.
@@ -195,6 +195,9 @@ pub struct Core {
     /// The facts in groups, the deciding one first, where there are more than three facts.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub groups: Vec<FactGroup>,
+    /// What the whole instance costs without one of the facts, as far as was tried.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub prices: Vec<FactPrice>,
     /// Whether each fact was shown to be needed in the set: with only the others
     /// of the set there is a plan.
     pub minimal: bool,

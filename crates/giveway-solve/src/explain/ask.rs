@@ -19,7 +19,7 @@ use crate::{
     impose::{ImposeError, limit_costs},
     judged::Judged,
     problem::{Problem, ProblemError, Relaxed},
-    search::{Aim, Bounded, Horizon, Proved, Verdict, find},
+    search::{Aim, Bounded, Contact, EarlierOptima, Horizon, Proved, Verdict, find_from},
     walk::{Walk, to_plan, walks_of_plan},
 };
 
@@ -60,23 +60,46 @@ pub(crate) struct Found {
     pub(crate) horizon: u32,
 }
 
+/// What is known before a search.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Start<'a> {
+    /// A plan that is as asked for.
+    pub(crate) plan: Option<&'a Plan>,
+    /// The optima of the same search with fewer conditions.
+    pub(crate) earlier: Option<&'a EarlierOptima>,
+}
+
 /// The lexicographic optimum.
 pub(crate) fn best(ask: &Ask, budget: &Rc<Budget>) -> Found {
-    run(ask, &Aim::Best, budget)
+    best_from(ask, Start::default(), budget)
+}
+
+/// The same, from what is known already.
+pub(crate) fn best_from(ask: &Ask, start: Start, budget: &Rc<Budget>) -> Found {
+    run(ask, &Aim::Best, start, budget)
 }
 
 /// Any plan, or the proof that there is none.
 pub(crate) fn any(ask: &Ask, budget: &Rc<Budget>) -> Found {
-    run(ask, &Aim::Any, budget)
+    run(ask, &Aim::Any, Start::default(), budget)
 }
 
 /// A plan that costs no more than this in the order of the objective, or the
 /// proof that there is none.
 pub(crate) fn at_most(ask: &Ask, vector: Vec<u32>, budget: &Rc<Budget>) -> Found {
-    run(ask, &Aim::AtMost(vector), budget)
+    run(ask, &Aim::AtMost(vector), Start::default(), budget)
 }
 
-fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
+/// The largest vector that is less in the order of an objective; components
+/// that no longer matter are without a limit.
+pub(super) fn just_below(mut vector: Vec<u32>) -> Option<Vec<u32>> {
+    let last = vector.iter().rposition(|&value| value > 0)?;
+    vector[last] -= 1;
+    vector[last + 1..].fill(u32::MAX / 4);
+    Some(vector)
+}
+
+fn run(ask: &Ask, aim: &Aim, start: Start, budget: &Rc<Budget>) -> Found {
     let nothing = Found {
         status: Status::Unknown,
         plan: None,
@@ -113,7 +136,17 @@ fn run(ask: &Ask, aim: &Aim, budget: &Rc<Budget>) -> Found {
         }
     }
     let bounded = Bounded { horizon, limits };
-    let verdict = find(&problem, ask.objective, &bounded, aim, budget);
+    let mut conditions = ask.conditions.iter();
+    let plan = start
+        .plan
+        .filter(|plan| conditions.all(|it| it.holds(instance, plan) == Some(true)));
+    let walks = plan.and_then(|plan| walks(instance, &problem, plan));
+    let contact = Contact {
+        start: walks.as_deref(),
+        earlier: start.earlier,
+        on_better: &|_, _| {},
+    };
+    let verdict = find_from(&problem, ask.objective, &bounded, aim, &contact, budget);
     judged(&problem, ask, aim, horizon.latest(), verdict)
 }
 

@@ -23,7 +23,7 @@ use crate::search::Proved;
 const MOST_FURTHER: usize = 2;
 /// Facts of a large floor that are left out of the whole, each alone.
 const MOST_MARKED: usize = 24;
-/// Facts whose price is looked for.
+/// Facts whose price is looked for: of those that help, and of the others.
 const MOST_PRICED: usize = 6;
 
 /// An instance that has no plan as asked for.
@@ -75,6 +75,14 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
 /// Marks the facts of a minimal set that help, as many as are worth it on a large floor: those
 /// first that a person would change first.
 pub(crate) fn mark_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
+    for group in changed_first(core).into_iter().take(MOST_MARKED) {
+        let helps = leave_out(refuted, group, inquiry, false);
+        core.helps.insert(group, helps);
+    }
+}
+
+/// The facts of a set, those first that a person would change first.
+fn changed_first(core: &CoreFound) -> Vec<Group> {
     let mut groups = core.groups.clone();
     sort_by_key(&mut groups, |group| match group {
         Group::Constraint(_) | Group::Deadline | Group::Floor | Group::Breakdown(..) => 0,
@@ -86,29 +94,36 @@ pub(crate) fn mark_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
         Group::Obstacle(_) => 6,
         Group::Collision(..) => 7,
     });
-    for group in groups.into_iter().take(MOST_MARKED) {
-        let helps = leave_out(refuted, group, inquiry, false);
-        core.helps.insert(group, helps);
-    }
+    groups
 }
 
-/// Finds what the whole instance costs without a fact that helps; `whole` gives the costs of the
-/// whole plan.
+/// Finds what the whole instance costs without a fact: of those that help, and where a plan as
+/// asked for costs more (`is_costly`), what is left without one of the others. `whole` gives the
+/// costs of the whole plan.
 pub(crate) fn find_prices(
     refuted: &Refuted,
     core: &mut CoreFound,
     solver: &mut dyn Solver,
+    is_costly: bool,
     whole: impl Fn(&EditedPlan) -> Costs,
 ) {
-    let helps = |group: &&Group| core.helps.get(group) == Some(&Helps::Yes);
-    let helping: Vec<Group> = core.groups.iter().filter(helps).copied().collect();
-    for group in helping.into_iter().take(MOST_PRICED) {
+    let helps = |group: &Group| core.helps.get(group) == Some(&Helps::Yes);
+    let (helping, others): (Vec<Group>, Vec<Group>) =
+        changed_first(core).into_iter().partition(helps);
+    let others = others.into_iter().filter(|_| is_costly);
+    let helping = helping.into_iter().take(MOST_PRICED);
+    for group in helping.chain(others.take(MOST_PRICED)) {
         if solver.is_over() {
             return;
         }
         let left_out = BTreeSet::from([group]);
         let variant = without(refuted.instance, &left_out, refuted.deadline);
-        if let Some(found) = solver.best(&variant) {
+        let found = if core.helps.get(&group) == Some(&Helps::Yes) {
+            solver.best(&variant)
+        } else {
+            solver.cheapest(&variant)
+        };
+        if let Some(found) = found {
             core.prices.insert(group, (whole(&found), found.proved));
         }
     }

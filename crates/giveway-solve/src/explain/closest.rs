@@ -21,6 +21,28 @@ use giveway_model::sorting::{map, sort};
 /// Clauses that it may derive, and seconds that it may take.
 const DERIVED: u64 = 20_000;
 const SECONDS: f64 = 3.0;
+/// Seconds that it may take where it is not known whether any plan costs so little.
+const SECONDS_FOR_ANY: f64 = 1.5;
+
+/// Of the plans that are as asked for and cost as much as given, that which is closest to the plan
+/// asked about, and whether that is proved; `None` where none was found.
+pub(crate) fn as_cheap_as(
+    case: &FittingQuestion,
+    costs: Costs,
+    budget: &Rc<Budget>,
+) -> Option<(Plan, bool)> {
+    let part = Rc::new(
+        budget
+            .part(Limits {
+                seconds: Some(SECONDS_FOR_ANY),
+                ..Limits::default()
+            })
+            .with_derived(DERIVED),
+    );
+    let (nearest, proved) = nearest(case, costs, None, &part);
+    budget.absorb(&part);
+    nearest.map(|(_, plan)| (plan, proved))
+}
 
 /// Of the plans that cost as much as the best other one, that which is closest
 /// to the plan asked about, and whether that is proved.
@@ -37,23 +59,40 @@ pub(crate) fn closest(
             })
             .with_derived(DERIVED),
     );
+    let known = (distance(case, best.0), best.0.clone());
+    let (nearest, proved) = nearest(case, best.1, Some(known), &part);
+    budget.absorb(&part);
+    let plan = nearest.map_or_else(|| best.0.clone(), |(_, plan)| plan);
+    (plan, proved)
+}
+
+/// A plan with its distance from the plan asked about.
+type Near = ((usize, usize), Plan);
+
+/// The closest plan of all alternatives of the contrast and of a known one, and whether none of
+/// these costs is closer.
+fn nearest(
+    case: &FittingQuestion,
+    costs: Costs,
+    known: Option<Near>,
+    budget: &Rc<Budget>,
+) -> (Option<Near>, bool) {
     let mut proved = true;
-    let mut nearest = (distance(case, best.0), best.0.clone());
+    let mut nearest = known;
     for condition in case.conditions() {
-        match with(case, condition, best.1, &part) {
+        match with(case, condition, costs, budget) {
             BranchOutcome::Plan(plan, is_proved) => {
                 proved &= is_proved;
                 let distance = distance(case, &plan);
-                if distance < nearest.0 {
-                    nearest = (distance, plan);
+                if nearest.as_ref().is_none_or(|(least, _)| distance < *least) {
+                    nearest = Some((distance, plan));
                 }
             }
             BranchOutcome::None => {}
             BranchOutcome::Unknown => proved = false,
         }
     }
-    budget.absorb(&part);
-    (nearest.1, proved)
+    (nearest, proved)
 }
 
 /// The result for one of the alternatives that a condition allows.
@@ -117,7 +156,8 @@ fn with(
                 .costs
                 .is_some_and(|own| own.vector(case.objective()) == costs.vector(case.objective()));
             if report.is_valid() && as_good && condition.holds(instance, &plan) == Some(true) {
-                let far = |proved: Proved| case.shown.is_some_and(|shown| proved.covers(shown));
+                let shown = case.shown.or(case.optimal);
+                let far = |proved: Proved| shown.is_some_and(|shown| proved.covers(shown));
                 BranchOutcome::Plan(plan, close.proved.is_some_and(far))
             } else {
                 BranchOutcome::Unknown

@@ -4,19 +4,20 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{Condition, Costs, Plan, check::costs};
+use giveway_model::{Condition, Cost, Costs, Plan, check::costs};
+use giveway_planners::first::plan_in_order;
 
 use super::{
-    ask::{Ask, Found, any, at_most, best, names, violations, walks},
+    ask::{Ask, Found, Start, any, at_most, best, best_from, names, violations, walks},
     group::{Variant, fit},
     group_mus::{Inquiry, Tried},
     repairs::{EditedPlan, Solver},
-    unsolvable::{further_search, long_search, one_search, tried},
+    unsolvable::{brief_search, further_search, long_search, one_search, tried},
     verdict::FittingQuestion,
 };
 use crate::{
     budget::Budget,
-    impose::bearer,
+    impose::{bearer, limit_costs},
     lns::{Effort, Lns},
     problem::Problem,
     search::Proved,
@@ -25,6 +26,8 @@ use crate::{
 
 /// States that are looked at to improve a known plan, about.
 const NEARBY_STATES: u64 = 10_000;
+/// Agents that are planned one after the other before any formula is made.
+const MOST_IN_ORDER: usize = 8;
 
 /// A search for plans that meet the contrast of a question.
 pub(crate) struct ContrastSearch<'a, 'h> {
@@ -86,6 +89,13 @@ impl ContrastSearch<'_, '_> {
             return Tried::Plan(plan);
         }
         drop(nearby);
+        let mut in_order = self
+            .conditions(variant)
+            .filter(|_| self.is_part_of_floor(variant));
+        if let Some(plan) = in_order.find_map(|condition| self.in_order(variant, condition)) {
+            return Tried::Plan(plan);
+        }
+        drop(in_order);
         for condition in self.conditions(variant) {
             match tried(self.find(variant, condition, &part())) {
                 Tried::Plan(plan) => return Tried::Plan(plan),
@@ -131,6 +141,59 @@ impl ContrastSearch<'_, '_> {
         self.accepts(variant, &plan).then_some(plan)
     }
 
+    /// Whether a variant has few of the agents of a large floor.
+    fn is_part_of_floor(&self, variant: &Variant) -> bool {
+        let all = self.case.instance.agents().len();
+        let is_large = all > self.budget.thresholds().few_agents;
+        is_large && variant.instance.agents().len() <= MOST_IN_ORDER
+    }
+
+    /// A plan in which agents are planned one after the other: of few agents it is there sooner
+    /// than a model of their formula.
+    fn in_order(&self, variant: &Variant, condition: &Condition) -> Option<Plan> {
+        let instance = &variant.instance;
+        let (relaxed, budget) = (variant.relaxed.clone(), &self.budget);
+        let problem = Problem::relaxed(instance, relaxed, Some(condition), budget).ok()?;
+        let mut limits = BTreeMap::new();
+        limit_costs(condition, &mut limits).ok()?;
+        let first = self.case.objective().costs().first().copied();
+        if let Some((cost, most)) = first.zip(self.most.as_ref().and_then(|most| most.first())) {
+            limits.entry(cost).or_insert(*most);
+        }
+        let latest = variant.within.unwrap_or(self.horizon);
+        let limit = limits.get(&Cost::Makespan).copied();
+        let latest = latest.min(limit.unwrap_or(u32::MAX));
+        if problem.optima.iter().any(|&optimum| optimum > latest) {
+            return None;
+        }
+        let order = (0..problem.agents()).collect();
+        let walks = plan_in_order(&problem, order, latest, &**budget).ok()??;
+        let plan = to_plan(&problem, &names(instance), &walks);
+        self.accepts(variant, &plan).then_some(plan)
+    }
+
+    /// The best plan of all alternatives of the contrast, by a search for the best of one.
+    fn best_by(
+        &self,
+        variant: &Variant,
+        search: impl Fn(&Ask, &Rc<Budget>) -> Found,
+    ) -> Option<EditedPlan> {
+        let objective = self.case.objective();
+        let mut proved = true;
+        let plans = self.conditions(variant).filter_map(|condition| {
+            let found = self.with(variant, condition, &one_search(&self.budget), &search);
+            proved &= found.reach.is_some();
+            found.plan.zip(found.costs)
+        });
+        let cheapest = plans.min_by_key(|(_, costs)| costs.vector(objective));
+        let (plan, costs) = cheapest?;
+        Some(EditedPlan {
+            plan,
+            costs,
+            proved,
+        })
+    }
+
     fn is_cheap(&self, costs: &Costs) -> bool {
         let vector = costs.vector(self.case.objective());
         self.most.as_ref().is_none_or(|most| vector <= *most)
@@ -140,6 +203,10 @@ impl ContrastSearch<'_, '_> {
 impl Inquiry for ContrastSearch<'_, '_> {
     fn search(&mut self, variant: &Variant) -> Tried {
         self.look(variant, || one_search(&self.budget))
+    }
+
+    fn search_briefly(&mut self, variant: &Variant) -> Tried {
+        self.look(variant, || brief_search(&self.budget))
     }
 
     fn search_again(&mut self, variant: &Variant) -> Tried {
@@ -169,19 +236,18 @@ impl Inquiry for ContrastSearch<'_, '_> {
 
 impl Solver for ContrastSearch<'_, '_> {
     fn best(&mut self, variant: &Variant) -> Option<EditedPlan> {
-        let objective = self.case.objective();
-        let mut proved = true;
-        let plans = self.conditions(variant).filter_map(|condition| {
-            let found = self.with(variant, condition, &one_search(&self.budget), best);
-            proved &= found.reach.is_some();
-            found.plan.zip(found.costs)
-        });
-        let cheapest = plans.min_by_key(|(_, costs)| costs.vector(objective));
-        let (plan, costs) = cheapest.filter(|(_, costs)| self.is_cheap(costs))?;
-        Some(EditedPlan {
-            plan,
-            costs,
-            proved,
+        let found = self.best_by(variant, best)?;
+        self.is_cheap(&found.costs).then_some(found)
+    }
+
+    fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan> {
+        let near = self.near.map(|plan| fit(plan, &variant.instance));
+        self.best_by(variant, |ask, budget| {
+            let start = Start {
+                plan: near.as_ref(),
+                earlier: None,
+            };
+            best_from(ask, start, budget)
         })
     }
 }

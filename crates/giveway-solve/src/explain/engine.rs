@@ -17,7 +17,7 @@ use super::{
     changed::{ChangedWorld, asked, counting},
     own_plan::OwnPlanReport,
     reasons,
-    telling::{Reporter, tell_nearby, tell_verdict},
+    telling::{Reporter, tell_best, tell_nearby, tell_verdict},
     verdict::FittingQuestion,
     whole::WholePlan,
     words,
@@ -185,10 +185,14 @@ fn answered(
     if answer.pending.contains(&Part::Verdict) {
         tell_verdict(&mut case, &mut answer, &telling);
     }
+    let mut about = String::new();
     if answer.pending.contains(&Part::Witness) {
-        reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
+        about = reasons::of_case(&case, &mut answer, budget, &mut |answer, part| {
             telling.tell(answer, part);
         });
+    }
+    if case.is_open {
+        tell_best(&mut case, &about, &mut answer, &telling);
     }
     answer.stats = budget.stats();
     Ok(whole.answer(answer, telling.costs))

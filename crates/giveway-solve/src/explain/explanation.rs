@@ -145,6 +145,8 @@ pub struct ExplainAnswer {
     /// The costs of the other plan.
     pub costs: Option<Costs>,
     /// The difference of the other plan to the plan asked about, for each cost of the objective.
+    /// On a large floor a verdict may stand while `closest` is still to come: then they only fall,
+    /// and of `costly` the first that is not 0 is proved.
     #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
     /// How far the verdict reaches.

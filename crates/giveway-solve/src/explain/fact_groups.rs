@@ -2,6 +2,7 @@
 //! shelf block, an aisle.
 
 mod parts;
+mod tightest;
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -16,6 +17,8 @@ use super::{
     group_mus::CoreFound,
 };
 use parts::Parts;
+
+pub(crate) use tightest::tell_tightest;
 
 /// A set of more facts is told in groups.
 const FEW_FACTS: usize = 3;
@@ -56,6 +59,17 @@ pub enum FactGroupKind {
     Rules,
 }
 
+/// The one mark of a group of facts: what leaving out facts of it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupMark {
+    /// Leaving one of its facts out alone would help.
+    Helps,
+    /// It is needed among the others: without it there is a plan of what is left.
+    Needed,
+    /// It may not be needed.
+    Open,
+}
+
 /// Facts of one set that are told together.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct FactGroup {
@@ -76,6 +90,17 @@ pub struct FactGroup {
     /// The least costs of the whole instance without one of its facts, as far as was tried.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub price: Option<FactPrice>,
+}
+
+impl FactGroup {
+    /// What is known of it.
+    pub const fn mark(&self) -> GroupMark {
+        match self.helps {
+            Helps::Yes => GroupMark::Helps,
+            Helps::No | Helps::Unknown if self.needed => GroupMark::Needed,
+            Helps::No | Helps::Unknown => GroupMark::Open,
+        }
+    }
 }
 
 /// The costs of the whole instance without one fact, with what the question asks for.

@@ -17,8 +17,8 @@ mod shrinking;
 use super::{
     answer::{Core, Fact, Helps},
     causes::Refuted,
-    fact_groups::{Prices, fact_groups},
-    group::{Group, Variant, groups},
+    fact_groups::{FactPrice, Prices, fact_groups},
+    group::{Group, Variant, groups, has_slow_edge},
     growing::ForcingSet,
 };
 use crate::search::Proved;
@@ -52,6 +52,8 @@ impl Tried {
 pub(crate) trait Inquiry {
     /// Looks for a plan.
     fn search(&mut self, variant: &Variant) -> Tried;
+    /// Looks for a plan with a small part of that work.
+    fn search_briefly(&mut self, variant: &Variant) -> Tried;
     /// Looks for a plan once more, with several times the work.
     fn search_again(&mut self, variant: &Variant) -> Tried;
     /// Looks for a plan with all of the budget that is left.
@@ -77,6 +79,9 @@ pub(crate) struct CoreFound {
     /// Facts that are needed: with only the others of the set, or only those outside of their
     /// shelf block, there is a plan.
     pub(crate) needed: BTreeSet<Group>,
+    /// Whether an agent of which the set says nothing could do what is asked for: then a plan
+    /// of the whole instance without a fact may be none of the set.
+    pub(crate) is_of_another: bool,
     /// Further sets.
     pub(crate) further: Vec<Self>,
 }
@@ -92,12 +97,41 @@ impl CoreFound {
         let mut core = Core {
             facts: facts.collect(),
             groups: Vec::new(),
-            minimal: self.minimal,
+            prices: self.fact_prices(),
+            minimal: self.minimal || self.groups.iter().all(|it| self.helps_in_set(instance, it)),
             reach: self.reach.into(),
             further: further.map(|core| core.core(instance, within)).collect(),
         };
         core.groups = fact_groups(instance, self, &core);
         core
+    }
+
+    /// What the whole instance costs without a fact, by the place of the fact.
+    fn fact_prices(&self) -> Vec<FactPrice> {
+        let places = (0..).zip(&self.groups);
+        let priced = places.filter_map(|(fact, group)| {
+            let &(costs, proved) = self.prices.get(group)?;
+            Some(FactPrice {
+                fact,
+                costs,
+                proved,
+            })
+        });
+        priced.collect()
+    }
+
+    /// Whether a fact is known to be needed in the set, alone or with all of its shelf block.
+    pub(crate) fn is_needed(&self, instance: &Instance, fact: &Group) -> bool {
+        self.minimal || self.needed.contains(fact) || self.helps_in_set(instance, fact)
+    }
+
+    /// Whether a plan of the whole instance without a fact is also one of the set without it. (It
+    /// may not be where the set has no slow zones, or where an agent outside of it does what is
+    /// asked for.)
+    fn helps_in_set(&self, instance: &Instance, fact: &Group) -> bool {
+        let is_slow = || self.groups.contains(&Group::Slow) || !has_slow_edge(instance.grid());
+        let helps = self.helps.get(fact) == Some(&Helps::Yes);
+        helps && !self.is_of_another && is_slow()
     }
 
     /// The facts of this set, then those of the further ones.

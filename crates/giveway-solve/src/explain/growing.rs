@@ -25,7 +25,7 @@ use crate::search::Proved;
 use hitting_set::hitting_set;
 
 /// The most agents of a set, those asked about apart: a reason with more is not read.
-const MOST_AGENTS: usize = 6;
+pub(super) const MOST_AGENTS: usize = 6;
 /// Sets that are tried.
 const MOST_TRIED: usize = 60;
 
@@ -107,10 +107,9 @@ impl Growing<'_> {
 
     fn attempt(&self, agents: &BTreeSet<usize>, inquiry: &mut dyn Inquiry) -> Tried {
         let variant = self.variant(agents);
-        let mut tried = inquiry.search(&variant);
-        if matches!(tried, Tried::Unknown) && !inquiry.is_over() {
-            tried = inquiry.search_again(&variant);
-        }
+        // A set that forces the answer is worth a long search, and a short one before it would be
+        // lost.
+        let tried = inquiry.search_again(&variant);
         tried.reaching(&variant, self.refuted.reach)
     }
 

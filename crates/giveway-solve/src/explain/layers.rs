@@ -152,7 +152,7 @@ pub struct Near {
 pub enum VariationKind {
     /// The wait is made at an earlier or later place of the way.
     Elsewhere,
-    /// The agent takes another way, all others do as in the plan.
+    /// The agent takes another way, all others do as in the plan, or only later.
     OtherWay,
     /// The agent goes before another, which waits.
     Swapped,

@@ -62,10 +62,10 @@ pub use alone::SubsetBound;
 pub use answer::{Class, Core, Edit, Excess, Fact, FactKind, Helps, Repair, WitnessEntry};
 pub use edits::edited_instance;
 pub use explanation::{ExplainAnswer, ExplainRequest, Part, Verdict};
-pub use fact_groups::{FactGroup, FactGroupKind, FactPrice, MOST_GROUPS};
+pub use fact_groups::{FactGroup, FactGroupKind, FactPrice, GroupMark, MOST_GROUPS};
 pub use how::{AgentDifference, How};
 pub use layers::{Here, Layer, Near, Passing, Variation, VariationKind};
 pub use words::{
-    alone_sentence, edits_in_words, facts_claim, facts_title, helps_mark, how_of, how_sentence,
-    verdict_word, witness_title,
+    alone_sentence, edits_in_words, facts_claim, facts_title, group_price_clause, helps_mark,
+    how_of, how_sentence, price_clause, verdict_word, witness_title,
 };

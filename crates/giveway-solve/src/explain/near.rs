@@ -2,8 +2,10 @@
 //! judge, so that the cheapest bounds what the best other plan costs.
 //!
 //! `slides` moves the wait along the way; `walks` gives the agent another walk, all others as
-//! they are, or lets it go first, and repairs and improves what collides then.
+//! they are or, on a large floor, only later (`retimed`), or lets it go first, and repairs and
+//! improves what collides then.
 
+mod retimed;
 mod slides;
 mod walks;
 

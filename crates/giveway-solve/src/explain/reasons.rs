@@ -3,26 +3,25 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Plan, sorting};
-
+mod no_plan;
+mod own_plan;
 mod small;
+
+pub(crate) use no_plan::of_no_plan;
+pub(crate) use own_plan::of_own_plan;
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
-    ask::Found,
-    causes::Refuted,
     contrasted::ContrastSearch,
+    fact_groups::tell_tightest,
     group::Group,
     group_mus::CoreFound,
-    own_plan::{OwnPlanReport, judge},
     own_way,
-    repairs::{Unsolved, repairs},
-    unsolvable::{self, AnyPlan},
+    repairs::{Unsolved, repairs, suspects},
     verdict::FittingQuestion,
-    whole::WholePlan,
     words,
 };
-use crate::{Limits, Status, budget::Budget, search::Proved};
+use crate::{Limits, budget::Budget};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -58,13 +57,13 @@ fn part_of<'h>(budget: &Budget<'h>, times: u64) -> Rc<Budget<'h>> {
 /// Called when a part of the answer is there.
 pub(crate) type Tell<'a> = &'a mut dyn FnMut(&mut ExplainAnswer, Part);
 
-/// Why, where the verdict is known.
+/// Why, where the verdict is known; whom the witness is about.
 pub(crate) fn of_case(
     case: &FittingQuestion,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
     tell: Tell,
-) {
+) -> String {
     let mut about = String::new();
     let own = part(budget);
     if let Some((agent, violations)) = own_way::witness(case, &own) {
@@ -81,23 +80,56 @@ pub(crate) fn of_case(
 
     let refuted = matches!(answer.verdict, Verdict::Necessary | Verdict::Costly);
     if refuted {
-        let found = small::reason_of_case(case, answer, budget);
-        answer.alone = found.alone;
-        let core = found.core;
+        let forcing = small::forcing_set(case, answer, budget);
+        if let Some(forcing) = &forcing {
+            answer.alone = small::forcing_needs(case, answer, forcing, budget);
+            word(case, &about, answer);
+            tell(answer, Part::Witness);
+        }
+        let agents = forcing.as_ref().map(|it| it.agents.clone());
+        let found = small::reason_of_case(case, answer, forcing, budget);
+        if agents.is_none() {
+            answer.alone = found.alone;
+        }
+        let mut core = found.core;
+        if let Some(core) = &mut core {
+            core.is_of_another = another_could(case, &core.groups);
+            for further in &mut core.further {
+                further.is_of_another = another_could(case, &further.groups);
+            }
+        }
         let deadline = case.within.map(|time| case.whole.time(time));
-        answer.core = core.as_ref().map(|core| core.core(case.instance, deadline));
+        let told = |core: &CoreFound| {
+            let mut told = core.core(case.instance, deadline);
+            if found.is_unmarked {
+                tell_tightest(case, &mut told);
+            }
+            told
+        };
+        answer.core = core.as_ref().map(told);
         word(case, &about, answer);
         tell(answer, Part::Core);
-        if let Some(core) = &core
-            && answer.pending.contains(&Part::Repairs)
-        {
-            help_case(case, core, answer, budget);
+        if let Some(core) = core.as_mut().filter(|_| found.is_unmarked) {
+            let alone = small::needs(case, answer, agents.as_ref(), budget);
+            // Where the time ran out, what was told of the set before it stays.
+            if !alone.is_empty() {
+                answer.alone = alone;
+            }
+            word(case, &about, answer);
+            small::mark(case, core, answer, budget);
+            answer.core = Some(told(core));
+            word(case, &about, answer);
+            tell(answer, Part::Core);
+        }
+        if answer.pending.contains(&Part::Repairs) {
+            help_case(case, core.as_ref(), answer, budget);
             word(case, &about, answer);
         }
     } else {
         tell(answer, Part::Core);
     }
     tell(answer, Part::Repairs);
+    about
 }
 
 /// The answer in words, as far as it is known; `about` is whom the witness is about.
@@ -108,6 +140,7 @@ pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnsw
         objective: case.objective(),
         plan: case.plan,
         verdict: answer.verdict,
+        is_open: case.is_open,
         alternative: answer.alternative.as_ref(),
         within: answer.reach.within().map(|time| case.whole.time(time)),
         whole: case.whole,
@@ -154,14 +187,20 @@ fn contrasted<'a, 'h>(
     }
 }
 
+/// The repairs; where no set of facts is known, on a large floor only.
 fn help_case(
     case: &FittingQuestion,
-    core: &CoreFound,
+    core: Option<&CoreFound>,
     answer: &mut ExplainAnswer,
     budget: &Rc<Budget>,
 ) {
     let Some(reach) = case.shown else { return };
+    if core.is_none() && !small::is_large(case.instance, budget) {
+        return;
+    }
     let asked = asked(case);
+    let has_deadline = case.within.is_some();
+    let suspects = || suspects(case.instance, &asked, has_deadline, (answer, &[]));
     let mut inquiry = ContrastSearch {
         budget: part_of(budget, REPAIRS),
         ..contrasted(case, answer, budget)
@@ -172,123 +211,15 @@ fn help_case(
         objective: case.objective(),
         asked: &asked,
         reach,
-        cores: core.sets().map(<[Group]>::to_vec).collect(),
+        cores: core.map_or_else(Vec::new, |core| {
+            core.sets().map(<[Group]>::to_vec).collect()
+        }),
+        suspects: core.map_or_else(suspects, |_| Vec::new()),
         whole: case.whole,
     };
     let found = repairs(&broken, &mut inquiry);
     budget.absorb(&inquiry.budget);
-    answer.exhaustive = found.exhaustive && !another_could(case, &core.groups);
+    let is_of_another = |core: &CoreFound| another_could(case, &core.groups);
+    answer.exhaustive = found.exhaustive && !core.is_some_and(is_of_another);
     (answer.repairs, answer.further_repairs) = (found.first, found.further);
-}
-
-/// Why there is no plan, where `found` says so.
-pub(crate) fn of_no_plan(
-    instance: &Instance,
-    within: Option<u32>,
-    found: &Found,
-    whole: WholePlan,
-    answer: &mut ExplainAnswer,
-    budget: &Rc<Budget>,
-    tell: Tell,
-) {
-    answer.verdict = Verdict::Necessary;
-    answer.reach = found.reach.into();
-    tell_no_plan(answer, whole, Part::Verdict, tell);
-    if !answer.pending.contains(&Part::Witness) {
-        return;
-    }
-    let searching = |times| AnyPlan {
-        objective: instance.objective(),
-        horizon: found.horizon,
-        budget: part_of(budget, times),
-        whole,
-    };
-    let mut any_plan = searching(1);
-    (answer.witness, _) = unsolvable::witness(instance, within, &mut any_plan);
-    budget.absorb(&any_plan.budget);
-    tell_no_plan(answer, whole, Part::Witness, tell);
-
-    let core = found.reach.and_then(|reach| {
-        let refuted = Refuted {
-            instance,
-            asked: &[],
-            deadline: within,
-            reach,
-        };
-        small::reason_of_no_plan(&refuted, found, searching, budget)
-    });
-    let deadline = within.map(|time| whole.time(time));
-    answer.core = core.as_ref().map(|core| core.core(instance, deadline));
-    tell_no_plan(answer, whole, Part::Core, tell);
-
-    let help = answer.pending.contains(&Part::Repairs);
-    let helped = core.as_ref().zip(found.reach).filter(|_| help);
-    if let Some((core, reach)) = helped {
-        let mut any_plan = searching(REPAIRS);
-        let broken = Unsolved {
-            instance,
-            within,
-            objective: instance.objective(),
-            asked: &[],
-            reach,
-            cores: core.sets().map(<[Group]>::to_vec).collect(),
-            whole,
-        };
-        let found = repairs(&broken, &mut any_plan);
-        budget.absorb(&any_plan.budget);
-        answer.exhaustive = found.exhaustive;
-        (answer.repairs, answer.further_repairs) = (found.first, found.further);
-    }
-    tell_no_plan(answer, whole, Part::Repairs, tell);
-}
-
-fn tell_no_plan(answer: &mut ExplainAnswer, whole: WholePlan, part: Part, tell: Tell) {
-    answer.words = words::unsolvable(
-        answer.reach.within().map(|time| whole.time(time)),
-        &answer.witness,
-        answer.core.as_ref(),
-        &whole.repairs(&answer.repairs),
-    );
-    tell(answer, part);
-}
-
-/// The findings about a person's own plan.
-pub(crate) fn of_own_plan(
-    instance: &Instance,
-    plan: &Plan,
-    within: Option<u32>,
-    whole: WholePlan,
-    answer: &mut ExplainAnswer,
-    budget: &Rc<Budget>,
-) {
-    let objective = instance.objective();
-    let judged: OwnPlanReport = judge(instance, plan, objective, within, whole, budget);
-    let costs_of = |plan: &Plan| whole.costs_of(instance, plan).unwrap_or_default();
-    let better = judged.better.as_ref().map(|(better, _)| costs_of(better));
-    let reach = judged.found.as_ref().and_then(|found| found.reach);
-    let latest = reach.and_then(Proved::within).map(|time| whole.time(time));
-    let costs = costs_of(plan);
-    answer.words = words::own_plan(&judged, objective, &costs, better.as_ref(), latest);
-    answer.valid = Some(judged.violations.is_empty());
-    answer.optimal = judged.optimal;
-    answer.violations = Some(judged.violations);
-    answer.verdict = match judged.optimal {
-        Some(true) => Verdict::Needless,
-        Some(false) => Verdict::Improvable,
-        None => Verdict::Unknown,
-    };
-    answer.excess = judged.excess;
-    if let Some(found) = &judged.found {
-        let proved = found.status == Status::Optimal;
-        answer.reach = found.reach.filter(|_| proved).into();
-    }
-    let own = judged.costs.filter(|_| answer.valid == Some(true));
-    let least: Option<Costs> = judged.better.as_ref().map(|(_, costs)| *costs).or(own);
-    if let (Some(least), Some(own)) = (least, own) {
-        let more = |cost: Cost| i64::from(least.get(cost)) - i64::from(own.get(cost));
-        let costs = objective.costs().iter();
-        answer.deltas = sorting::map(costs.map(|&cost| (cost, more(cost))));
-    }
-    answer.costs = least.or(judged.costs);
-    answer.alternative = judged.better.map(|(plan, _)| plan);
 }

@@ -7,16 +7,21 @@
 //! exception: a slow zone that becomes normal is no mere relaxation (see
 //! `group_mus.rs`), so where a set holds without the slow zones, edits outside of it may
 //! still help.
+//!
+//! Where many agents are there and no small set is known, edits are guessed: those of facts about
+//! the agents that the answer names.
 
 mod candidate;
 mod least;
 mod order;
 mod pairs;
+mod suspects;
 
 use std::collections::BTreeMap;
 
 use giveway_model::{
-    Costs, Instance, Objective, Plan, constraint::ConstraintKind, sorting::sort_by_key,
+    Costs, Instance, Objective, Plan, check::costs, constraint::ConstraintKind,
+    sorting::sort_by_key,
 };
 
 use super::{
@@ -30,11 +35,14 @@ use super::{
 use crate::search::Proved;
 use candidate::{Candidate, candidates};
 use order::{first_of_each_kind, rank};
+pub(crate) use suspects::suspects;
 
 /// A question that can also be answered by the best plan.
 pub(crate) trait Solver: Inquiry {
     /// The best plan that can be had in time.
     fn best(&mut self, variant: &Variant) -> Option<EditedPlan>;
+    /// The same where it may cost more than was asked for.
+    fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan>;
 }
 
 /// A plan of an edited instance.
@@ -55,8 +63,10 @@ pub(crate) struct Unsolved<'a> {
     pub(crate) asked: &'a [usize],
     /// How far it is proved that there is none.
     pub(crate) reach: Proved,
-    /// Sets of facts that exclude a plan, one at least.
+    /// Sets of facts that exclude a plan, one at least; none where no set is known.
     pub(crate) cores: Vec<Vec<Group>>,
+    /// Where no set is known: facts of which edits are tried.
+    pub(crate) suspects: Vec<Group>,
     /// The plan of which the instance is the rest.
     pub(crate) whole: WholePlan<'a>,
 }
@@ -73,25 +83,27 @@ pub(crate) struct Repairs {
 
 /// Finds repairs of one and of two edits.
 pub(crate) fn repairs(broken: &Unsolved, solver: &mut dyn Solver) -> Repairs {
-    let Some(first) = broken.cores.first() else {
-        return Repairs {
-            first: Vec::new(),
-            further: 0,
-            exhaustive: false,
-        };
-    };
+    let known = broken.cores.first();
+    let first = known.unwrap_or(&broken.suspects);
+    let is_slow = first.contains(&Group::Slow) || !has_slow_edge(broken.instance.grid());
     let mut search = RepairSearch {
         broken,
         solver,
-        exhaustive: first.contains(&Group::Slow) || !has_slow_edge(broken.instance.grid()),
+        exhaustive: known.is_some() && is_slow,
         tried: BTreeMap::new(),
         found: Vec::new(),
     };
-    let singles = search.candidates(broken.instance, first);
+    let mut singles = search.candidates(broken.instance, first);
+    if known.is_none() {
+        // Any cell may be one for a charger: too many for a guess.
+        singles.retain(|it| !matches!(it, Candidate::Edit(Edit::AddCharger { .. })));
+    }
     for candidate in &singles {
         search.try_alone(candidate);
     }
-    search.try_pairs(&singles);
+    if known.is_some() {
+        search.try_pairs(&singles);
+    }
     let (exhaustive, found) = (search.exhaustive, search.found);
     let (first, further) = first_of_each_kind(found, broken.objective);
     Repairs {
@@ -147,10 +159,7 @@ impl RepairSearch<'_> {
         if edits.iter().any(|edit| is_as_good_as_off(edit, instance)) {
             return outcome; // its rule is also switched off
         }
-        let Some(mut best) = self
-            .solver
-            .best(&edited(instance, &edits, within, self.broken.whole))
-        else {
+        let Some(mut best) = self.best(&edited(instance, &edits, within, self.broken.whole)) else {
             self.exhaustive = false;
             return outcome;
         };
@@ -186,6 +195,24 @@ impl RepairSearch<'_> {
         costs.vector(self.broken.objective)
     }
 
+    /// The best plan; of a large floor without a known set any plan that costs little enough,
+    /// where the best is not found in time.
+    fn best(&mut self, variant: &Variant) -> Option<EditedPlan> {
+        let best = self.solver.best(variant);
+        if best.is_some() || !self.broken.cores.is_empty() {
+            return best;
+        }
+        let Tried::Plan(plan) = self.solver.search_briefly(variant) else {
+            return None;
+        };
+        let costs = costs(&variant.instance, &plan)?;
+        Some(EditedPlan {
+            plan,
+            costs,
+            proved: false,
+        })
+    }
+
     /// Whether there is a plan after some edits; `None` where that is not known.
     fn helps(&mut self, edits: &[Edit], within: Option<u32>) -> Option<bool> {
         if self.solver.is_over() {
@@ -193,10 +220,7 @@ impl RepairSearch<'_> {
             return None;
         }
         let variant = edited(self.broken.instance, edits, within, self.broken.whole);
-        let mut tried = self.solver.search(&variant);
-        if matches!(tried, Tried::Unknown) && !self.solver.is_over() {
-            tried = self.solver.search_longer(&variant);
-        }
+        let tried = self.search(&variant);
         match tried.reaching(&variant, self.broken.reach) {
             Tried::Plan(_) => Some(true),
             Tried::None { .. } => Some(false),
@@ -205,6 +229,21 @@ impl RepairSearch<'_> {
                 None
             }
         }
+    }
+}
+
+impl RepairSearch<'_> {
+    /// Looks for a plan of an edited instance: long where a set of facts is known, and briefly where
+    /// edits are guessed.
+    fn search(&mut self, variant: &Variant) -> Tried {
+        if self.broken.cores.is_empty() {
+            return self.solver.search_briefly(variant);
+        }
+        let tried = self.solver.search(variant);
+        if matches!(tried, Tried::Unknown) && !self.solver.is_over() {
+            return self.solver.search_longer(variant);
+        }
+        tried
     }
 }
 

@@ -12,11 +12,15 @@ use super::{
     how::{differences, how},
     near::near,
     reasons,
-    verdict::{FittingQuestion, compare},
+    verdict::{Compared, FittingQuestion, compare, compare_all_costs},
     whole::WholePlan,
     words,
 };
-use crate::{Host, Progress, budget::Budget};
+use crate::{
+    Host, Progress,
+    budget::Budget,
+    search::{EarlierOptima, Proved},
+};
 
 /// What the plan shows, and small variations of it, where these layers are asked for.
 pub(super) fn tell_nearby(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
@@ -48,6 +52,54 @@ pub(super) fn tell_verdict(
 ) {
     let known = answer.alternative.take().zip(answer.costs.take());
     let compared = compare(case, known, telling.budget);
+    let (is_proved, closest) = (compared.reach.is_some(), compared.closest);
+    case.is_open = compared.is_open;
+    take(case, compared, answer);
+    reasons::word(case, "", answer);
+    telling.tell(answer, Part::Verdict);
+    if case.is_open {
+        return;
+    }
+    if let Some(is_closest) = closest {
+        answer.closest = is_closest;
+    } else if is_proved {
+        tell_closest(case, "", answer, telling);
+    }
+    telling.tell(answer, Part::Closest);
+}
+
+/// The best other plan, where the verdict was told without it, and the closest of these; `about`
+/// is whom the witness is about.
+pub(super) fn tell_best(
+    case: &mut FittingQuestion,
+    about: &str,
+    answer: &mut ExplainAnswer,
+    telling: &Reporter,
+) {
+    let known = answer.alternative.clone().zip(answer.costs);
+    let least = answer.costs.zip(case.shown).and_then(|(costs, shown)| {
+        let first = case.objective().costs().first()?;
+        EarlierOptima::of(vec![costs.get(*first)], shown)
+    });
+    let compared = compare_all_costs(case, known, least.as_ref(), telling.budget);
+    let covers = |reach: Proved| case.shown.is_none_or(|shown| reach.covers(shown));
+    if compared.verdict == answer.verdict && compared.reach.is_some_and(covers) {
+        take(case, compared, answer);
+        case.is_open = false;
+        reasons::word(case, about, answer);
+        telling.tell_more(answer);
+        tell_closest(case, about, answer, telling);
+    } else if let Some((plan, costs)) = compared.other {
+        answer.deltas = case.deltas(&costs);
+        (answer.alternative, answer.costs) = (Some(plan), Some(costs));
+        compare_agents(case, answer);
+        reasons::word(case, about, answer);
+    }
+    telling.tell(answer, Part::Closest);
+}
+
+/// Takes a verdict over into the answer.
+fn take(case: &mut FittingQuestion, compared: Compared, answer: &mut ExplainAnswer) {
     answer.verdict = compared.verdict;
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
@@ -56,12 +108,6 @@ pub(super) fn tell_verdict(
     (answer.alternative, answer.costs) = (alternative, costs);
     (answer.pays, answer.how) = (Vec::new(), Vec::new());
     compare_agents(case, answer);
-    reasons::word(case, "", answer);
-    telling.tell(answer, Part::Verdict);
-    if compared.reach.is_some() {
-        tell_closest(case, answer, telling);
-    }
-    telling.tell(answer, Part::Closest);
 }
 
 /// How the other plan that is at hand differs.
@@ -78,14 +124,19 @@ fn compare_agents(case: &FittingQuestion, answer: &mut ExplainAnswer) {
 }
 
 /// The closest other plan, where the one at hand is proved best.
-fn tell_closest(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
+fn tell_closest(
+    case: &FittingQuestion,
+    about: &str,
+    answer: &mut ExplainAnswer,
+    telling: &Reporter,
+) {
     if let (Some(other), Some(costs)) = (&answer.alternative, answer.costs) {
         let (plan, proved) = closest(case, (other, costs), telling.budget);
         answer.costs = check::costs(case.instance, &plan);
         answer.alternative = Some(plan);
         answer.closest = proved;
         compare_agents(case, answer);
-        reasons::word(case, "", answer);
+        reasons::word(case, about, answer);
     }
 }
 
@@ -101,17 +152,19 @@ pub(super) struct Reporter<'a, 'h> {
 impl Reporter<'_, '_> {
     /// Tells that a part of the answer is there.
     pub(super) fn tell(&self, answer: &mut ExplainAnswer, part: Part) {
+        let is_first = answer.pending.contains(&part);
         answer.pending.retain(|&pending| pending != part);
-        self.tell_more(answer);
+        // It takes a while until it is known which facts of a reason help.
+        let has_reason = part == Part::Core && is_first && answer.core.is_some();
+        if has_reason || !answer.pending.is_empty() {
+            self.tell_more(answer);
+        }
     }
 
     /// Tells that more of a part is there.
     fn tell_more(&self, answer: &mut ExplainAnswer) {
         answer.stats = self.budget.stats();
-        if !answer.pending.is_empty() {
-            let answer = self.whole.answer(answer.clone(), self.costs);
-            let answer = Box::new(answer);
-            self.host.progress(&Progress::Explained { answer });
-        }
+        let answer = Box::new(self.whole.answer(answer.clone(), self.costs));
+        self.host.progress(&Progress::Explained { answer });
     }
 }

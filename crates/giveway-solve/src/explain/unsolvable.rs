@@ -29,6 +29,8 @@ const CLAUSES_EACH: u64 = 500_000;
 const JOINT_STEPS_EACH: u64 = 150_000;
 /// So many times the work of a search, where it is made again.
 const AGAIN: u64 = 10;
+/// A brief search may derive so small a part of the clauses.
+const BRIEFLY: u64 = 5;
 /// Sets of batteries or waypoints that are tried.
 const MOST_SETS: usize = 400;
 
@@ -39,6 +41,18 @@ pub(crate) fn one_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
         budget
             .part(Limits::default())
             .with_derived(DERIVED_EACH)
+            .with_work(clauses, JOINT_STEPS_EACH),
+    )
+}
+
+/// The budget of a brief search of many, of which only those are made again that it does not
+/// decide.
+pub(crate) fn brief_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
+    let clauses = CLAUSES_EACH.min(budget.clauses_left());
+    Rc::new(
+        budget
+            .part(Limits::default())
+            .with_derived(DERIVED_EACH / BRIEFLY)
             .with_work(clauses, JOINT_STEPS_EACH),
     )
 }
@@ -97,6 +111,10 @@ impl Inquiry for AnyPlan<'_, '_> {
         tried(self.with(variant, &one_search(&self.budget), any))
     }
 
+    fn search_briefly(&mut self, variant: &Variant) -> Tried {
+        tried(self.with(variant, &brief_search(&self.budget), any))
+    }
+
     fn search_again(&mut self, variant: &Variant) -> Tried {
         tried(self.with(variant, &further_search(&self.budget), any))
     }
@@ -130,6 +148,10 @@ impl Solver for AnyPlan<'_, '_> {
             costs,
             proved,
         })
+    }
+
+    fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan> {
+        self.best(variant)
     }
 }
 

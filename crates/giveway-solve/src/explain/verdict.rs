@@ -1,6 +1,8 @@
 //! The verdict: the best plan with what a question asks for, beside the plan
 //! that is asked about.
 
+mod sooner;
+
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -10,7 +12,7 @@ use giveway_model::{
 
 use super::{
     Verdict,
-    ask::{Ask, Found, any, at_most, best},
+    ask::{Ask, Found, Start, any, at_most, best_from, just_below},
     whole::WholePlan,
 };
 use crate::{
@@ -18,11 +20,9 @@ use crate::{
     budget::Budget,
     impose::{Unmeetable, ways},
     problem::Relaxed,
-    search::Proved,
+    search::{EarlierOptima, Proved},
 };
-
-/// With more agents planners look long for a plan that does not exist.
-const FEW_AGENTS: usize = 8;
+use sooner::{by_known_plan, by_proof_of_plan, sooner};
 
 /// A question that fits a valid plan, and what is to be known of both.
 pub(crate) struct FittingQuestion<'a> {
@@ -37,6 +37,8 @@ pub(crate) struct FittingQuestion<'a> {
     pub(crate) optimal: Option<Proved>,
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Proved>,
+    /// Whether the verdict stands, but not yet how much the best other plan costs.
+    pub(crate) is_open: bool,
     /// The alternatives of the contrast, one of which must hold in the other plan; an error where no agent
     /// could do it.
     pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
@@ -64,6 +66,7 @@ impl<'a> FittingQuestion<'a> {
             costs,
             optimal: None,
             shown: None,
+            is_open: false,
             conditions: condition.map_or(Ok(Vec::new()), |it| ways(it, instance)),
             whole,
             // The horizon always includes the plan at hand.
@@ -87,14 +90,14 @@ impl<'a> FittingQuestion<'a> {
         map(objective.map(|&cost| (cost, more(cost))))
     }
 
-    /// Calls the search with each of the conditions in turn.
-    fn each(&self, mut with: impl FnMut(&Ask)) {
+    /// Calls the search for the best in an objective with each of the conditions in turn.
+    fn each(&self, objective: &Objective, mut with: impl FnMut(&Ask)) {
         for condition in self.conditions() {
             with(&Ask {
                 instance: self.instance,
                 relaxed: &Relaxed::default(),
                 conditions: std::slice::from_ref(condition),
-                objective: self.objective(),
+                objective,
                 caps: &BTreeMap::new(),
                 within: self.within,
                 at_least_within: self.costs.makespan,
@@ -112,10 +115,15 @@ pub(crate) struct Compared {
     pub(crate) deltas: BTreeMap<Cost, i64>,
     /// How far the verdict was proved; `None` where nothing was.
     pub(crate) reach: Option<Proved>,
+    /// Whether the verdict stands, but a cheaper other plan is still to be looked for.
+    pub(crate) is_open: bool,
+    /// Where the other plan was looked for as a closest one: whether none is closer.
+    pub(crate) closest: Option<bool>,
 }
 
 /// Compares the plan with the best one that is as asked for. `known` is such a plan: it is told
-/// where the search does not find a better one in its limits.
+/// where the search does not find a better one in its limits. On a large floor the verdict may be
+/// there before the best other plan is known; [`compare_all_costs`] goes on then.
 pub(crate) fn compare(
     case: &FittingQuestion,
     known: Option<(Plan, Costs)>,
@@ -124,16 +132,32 @@ pub(crate) fn compare(
     if let Some(compared) = by_proof_of_plan(case, known.as_ref()) {
         return compared;
     }
-    let found = best_with(case, budget);
+    let mut known = known;
+    if is_large(case, budget)
+        && !asks_for_less_of_first_cost(case)
+        && let Some(compared) = by_known_plan(case, known.as_ref())
+            .or_else(|| sooner(case, &mut known, budget))
+            .or_else(|| by_known_plan(case, known.as_ref()))
+    {
+        return compared;
+    }
+    compare_all_costs(case, known, None, budget)
+}
+
+/// The same by a search for the best other plan. `least` are optima of the first costs, where
+/// they are known to be above those of the plan.
+pub(crate) fn compare_all_costs(
+    case: &FittingQuestion,
+    known: Option<(Plan, Costs)>,
+    least: Option<&EarlierOptima>,
+    budget: &Rc<Budget>,
+) -> Compared {
+    let found = best_with(case, known.as_ref().map(|(plan, _)| plan), least, budget);
     let objective = case.objective();
     let before = case.costs.vector(objective);
     let mut other = found.plan.zip(found.costs);
-    if let Some((_, known_costs)) = &known {
-        let vector = known_costs.vector(objective);
-        let is_better = |(_, costs): &(Plan, Costs)| vector < costs.vector(objective);
-        if !settled(found.status) && other.as_ref().is_none_or(is_better) {
-            other = known;
-        }
+    if !settled(found.status) {
+        other = cheaper(case, known, other);
     }
     let after = other.as_ref().map(|(_, costs)| costs.vector(objective));
     let proved = found.reach.filter(|_| settled(found.status));
@@ -158,31 +182,24 @@ pub(crate) fn compare(
         other,
         deltas,
         reach,
+        is_open: false,
+        closest: None,
     }
 }
 
-/// What follows from the proof that no plan is better than the one asked about: there is none
-/// with less of the first cost, and a known one that costs the same is as good as the best.
-fn by_proof_of_plan(case: &FittingQuestion, known: Option<&(Plan, Costs)>) -> Option<Compared> {
-    let proved = case.optimal?;
-    let objective = case.objective();
-    if proved.is_complete() && asks_for_less_of_first_cost(case) {
-        return Some(Compared {
-            verdict: Verdict::Necessary,
-            other: None,
-            deltas: BTreeMap::new(),
-            reach: Some(proved),
-        });
-    }
-    let costs_same =
-        |(_, costs): &&(Plan, Costs)| costs.vector(objective) == case.costs.vector(objective);
-    let same = known.filter(costs_same)?;
-    Some(Compared {
-        verdict: Verdict::Needless,
-        deltas: case.deltas(&same.1),
-        other: Some(same.clone()),
-        reach: Some(proved),
-    })
+/// The cheaper of two plans; the first where both cost the same.
+fn cheaper(
+    case: &FittingQuestion,
+    one: Option<(Plan, Costs)>,
+    other: Option<(Plan, Costs)>,
+) -> Option<(Plan, Costs)> {
+    let vector = |it: &(Plan, Costs)| it.1.vector(case.objective());
+    one.into_iter().chain(other).min_by_key(vector)
+}
+
+/// Whether the floor has so many agents that the proof for all costs takes long.
+fn is_large(case: &FittingQuestion, budget: &Budget) -> bool {
+    case.instance.agents().len() > budget.thresholds().few_agents
 }
 
 /// Whether each alternative of the contrast has less of the objective's first cost than the plan.
@@ -206,33 +223,45 @@ fn asks_for_less_of_first_cost(case: &FittingQuestion) -> bool {
 }
 
 /// The best plan with any of the conditions.
-fn best_with(case: &FittingQuestion, budget: &Rc<Budget>) -> Found {
+fn best_with(
+    case: &FittingQuestion,
+    near: Option<&Plan>,
+    least: Option<&EarlierOptima>,
+    budget: &Rc<Budget>,
+) -> Found {
     let objective = case.objective();
     let mut all: Option<Found> = None;
-    let is_large = case.instance.agents().len() > FEW_AGENTS;
+    let is_large = is_large(case, budget);
     if is_large && asks_for_less_of_first_cost(case) {
         // Mostly there is no such plan: SAT refutes it before planners would give up.
         let mut refuted = None;
-        case.each(|ask| refuted = Some(any(ask, budget)));
+        case.each(objective, |ask| refuted = Some(any(ask, budget)));
         if let Some(found) = refuted.filter(|found| found.plan.is_none()) {
             return found;
         }
     }
-    case.each(|ask| {
+    let costs = case.costs.vector(objective);
+    let proved = case.optimal.filter(|_| is_large);
+    let earlier = proved.and_then(|proved| EarlierOptima::of(costs, proved));
+    let start = Start {
+        plan: near.filter(|_| is_large),
+        earlier: least.or(earlier.as_ref()),
+    };
+    case.each(objective, |ask| {
         let Some(so_far) = all.take() else {
-            all = Some(best(ask, budget));
+            all = Some(best_from(ask, start, budget));
             return;
         };
         // Only what is better than the best so far is of interest.
         let vector = so_far.costs.map(|costs| costs.vector(objective));
         let better = match vector.map(just_below) {
-            None => best(ask, budget),
+            None => best_from(ask, start, budget),
             Some(None) => {
                 all = Some(so_far);
                 return; // nothing costs less than nothing
             }
             Some(Some(most)) => match at_most(ask, most, budget) {
-                found if found.plan.is_some() => best(ask, budget),
+                found if found.plan.is_some() => best_from(ask, start, budget),
                 found => found,
             },
         };
@@ -277,13 +306,4 @@ fn join(first: Found, second: Found) -> Found {
 /// Whether it was settled which plan is best, or that there is none.
 const fn settled(status: Status) -> bool {
     matches!(status, Status::Optimal | Status::Impossible)
-}
-
-/// The largest vector that is less in the order of an objective; components
-/// that no longer matter are without a limit.
-fn just_below(mut vector: Vec<u32>) -> Option<Vec<u32>> {
-    let last = vector.iter().rposition(|&value| value > 0)?;
-    vector[last] -= 1;
-    vector[last + 1..].fill(u32::MAX / 4);
-    Some(vector)
 }

@@ -27,11 +27,6 @@ pub(crate) struct WholePlan<'a> {
 }
 
 impl WholePlan<'_> {
-    /// Whether the instance is the rest of a plan.
-    pub(crate) const fn is_rest(self) -> bool {
-        self.running.is_some()
-    }
-
     fn since(self) -> u32 {
         self.running.map_or(0, |(snapshot, _)| snapshot.at)
     }
@@ -50,6 +45,21 @@ impl WholePlan<'_> {
     /// The costs of the whole with a plan of the rest.
     pub(crate) fn costs_of(self, instance: &Instance, plan: &Plan) -> Option<Costs> {
         Some(self.costs(check::costs(instance, plan)?, plan))
+    }
+
+    /// The sums that some agents had paid before the rest began, whose plan is this one.
+    pub(crate) fn paid(self, agents: &[String], plan: &Plan) -> Costs {
+        let mut own = plan.clone();
+        own.paths.retain(|name, _| agents.contains(name));
+        let [own, nobody] = [own, Plan::default()].map(|plan| self.costs(Costs::default(), &plan));
+        Costs {
+            makespan: 0,
+            sum_of_costs: own.sum_of_costs.saturating_sub(nobody.sum_of_costs),
+            charges: own.charges.saturating_sub(nobody.charges),
+            moves: own.moves.saturating_sub(nobody.moves),
+            waits: own.waits.saturating_sub(nobody.waits),
+            penalty: own.penalty.saturating_sub(nobody.penalty),
+        }
     }
 
     /// A plan of the rest as one of the whole.

@@ -33,10 +33,11 @@ impl Teller<'_> {
                 orders: attempts.iter().map(|attempt| self.order(attempt)).collect(),
             },
             Trace::Cbs(tree) => self.tree(tree),
-            Trace::Pibt(inherited) => {
+            Trace::Pibt { inherited, leaders } => {
                 let told = |(time, one): &(u32, Inheritance)| self.inherited(Some(*time), one);
                 Went::Pibt {
                     inherited: inherited.iter().map(told).collect(),
+                    leaders: self.all(leaders),
                 }
             }
             Trace::Lacam(trace) => Went::Lacam {
@@ -104,6 +105,7 @@ impl Teller<'_> {
         let inherited = event.inherited.iter();
         LacamEvent {
             from: event.from,
+            constrained: self.all(&event.constrained),
             constraints: event.constraints.iter().map(|&v| self.cell(v)).collect(),
             inherited: inherited.map(|one| self.inherited(None, one)).collect(),
             made: match event.made {
@@ -111,6 +113,7 @@ impl Teller<'_> {
                 Made::Nothing => None,
             },
             known: matches!(event.made, Made::Again(_)),
+            cells: event.cells.iter().map(|&v| self.cell(v)).collect(),
         }
     }
 

@@ -38,6 +38,9 @@ pub enum Went {
     Pibt {
         /// The first inheritances of priority.
         inherited: Vec<Inherited>,
+        /// The agent of the highest priority in each step, of the first steps.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        leaders: Vec<String>,
     },
     /// The search of LaCAM.
     Lacam {
@@ -71,7 +74,10 @@ pub struct Inherited {
 pub struct LacamEvent {
     /// The number of the configuration that it begins in; 0 is the start.
     pub from: u32,
-    /// Where the first agents of its order had to go.
+    /// The first agents of its order, which had to go somewhere.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub constrained: Vec<String>,
+    /// Where they had to go.
     pub constraints: Vec<Cell>,
     /// The inheritances of priority.
     pub inherited: Vec<Inherited>,
@@ -79,6 +85,10 @@ pub struct LacamEvent {
     pub made: Option<u32>,
     /// Whether that was known before.
     pub known: bool,
+    /// Where the agents are in a configuration that is new, in the order of the scene; left out of
+    /// others, and where configurations are too many to be told.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cells: Vec<Cell>,
 }
 
 /// A better plan of large neighbourhood search.

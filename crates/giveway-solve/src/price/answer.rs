@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cost, Costs, Objective, Plan, Version, message::read_map};
+use giveway_model::{Constraint, Cost, Costs, Objective, Plan, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
 use crate::{Reach, Reason, Stats, Status, explain::Core};
@@ -70,6 +70,44 @@ pub struct RulePrice {
     pub plan: Option<Plan>,
 }
 
+/// The least looser form of a rule that changes something, in one of the ways in which it
+/// can ask for less.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+pub struct LooserRule {
+    /// The rule as it would be.
+    pub rule: Constraint,
+    /// The costs of the best plan under it, by cost of the objective.
+    #[borsh(deserialize_with = "read_map")]
+    pub costs: BTreeMap<Cost, u32>,
+    /// The costs with the rule as it is minus these; nothing where there is no plan with it.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[borsh(deserialize_with = "read_map")]
+    pub difference: BTreeMap<Cost, i64>,
+    /// Whether no plan under it is better.
+    pub exact: bool,
+    /// Whether every tighter form in this way is proved to change nothing.
+    pub least: bool,
+    /// That plan. No file has it: it is that of the scene with this rule.
+    #[serde(skip)]
+    pub plan: Option<Plan>,
+}
+
+/// How a rule can be loosened: where there is a plan, so that the costs change; where there
+/// is none, so that there is one.
+#[derive(
+    Clone, Debug, Default, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
+)]
+pub struct Loosened {
+    /// Its number in the scene, from 0.
+    pub index: u32,
+    /// Whether it has a number or times, so that it can ask for less.
+    pub can_loosen: bool,
+    /// The least looser form in each way that changes something.
+    pub looser: Vec<LooserRule>,
+    /// Whether every other way is proved to change nothing.
+    pub settled: bool,
+}
+
 /// The fewest rules whose switching off leaves a plan, where all together leave none.
 #[derive(
     Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize,
@@ -109,6 +147,9 @@ pub struct PriceAnswer {
     /// The fewest rules whose switching off leaves a plan.
     #[serde(flatten)]
     pub switch_off: SwitchOff,
+    /// How the rule can be loosened that the request names.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loosened: Option<Loosened>,
     /// How many prices are still to come; 0 at the end.
     #[serde(default)]
     pub pending: u32,

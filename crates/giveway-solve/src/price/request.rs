@@ -24,6 +24,10 @@ pub struct PriceRequest {
     /// A plan that is known already, as for a solve request.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<Plan>,
+    /// The price of this rule alone, by its number in the scene, and the
+    /// least by which it has to ask for less so that the costs change, or there is a plan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loosen: Option<u32>,
     /// The budget for all prices together.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,

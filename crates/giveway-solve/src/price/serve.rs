@@ -2,11 +2,12 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Instance, Objective, Version, sorting::map};
+use giveway_model::{Cost, Costs, Fault, Instance, Objective, Version, sorting::map};
 
 use super::{
     Price, PriceAnswer, PriceRequest, RulePrice, SwitchOff,
     conflict::{Unsolved, conflict},
+    loosen::loosen,
     words,
 };
 use crate::{
@@ -31,10 +32,21 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
     let objective = instance.in_force(objective.unwrap_or_else(|| instance.objective().clone()));
     let instance = instance.with_objective(objective.clone());
     let budget = Rc::new(Budget::new(host, request.limits));
-    let rules: Vec<usize> = instance
+    let mut rules: Vec<usize> = instance
         .constraints_in_force()
         .map(|rule| rule.index)
         .collect();
+    if let Some(loosened) = request.loosen {
+        rules.retain(|&rule| rule == loosened as usize);
+        if rules.is_empty() {
+            let fault = Fault::at(
+                "loosen",
+                loosened.to_string(),
+                "the number of a rule that is in force",
+            );
+            return Err(Refusal::Request { fault });
+        }
+    }
     let parts = if rules.is_empty() { 1 } else { PARTS };
     let pricing = Pricing {
         instance: &instance,
@@ -61,13 +73,18 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
         let left = (rules.len() - place) as u32;
         answer.prices[place] = pricing.price(rule, &all.answer, left);
         answer.pending -= 1;
+        if request.loosen.is_some() {
+            let price = &answer.prices[place];
+            answer.loosened = Some(loosen(&pricing, rule, &all.answer, price));
+        }
         if place < OFTEN || place.is_multiple_of(rules.len() / OFTEN) {
             tell(&mut answer);
         }
     }
     answer.pending = 0;
     tell(&mut answer);
-    if let (Status::Impossible, Some(reach)) = (all.answer.status, all.reach) {
+    if let (Status::Impossible, Some(reach), None) = (all.answer.status, all.reach, request.loosen)
+    {
         let unsolved = Unsolved {
             instance: &instance,
             within: request.within,
@@ -95,6 +112,7 @@ fn begun(all: &Solved, objective: Objective) -> PriceAnswer {
         prices: Vec::new(),
         conflict: None,
         switch_off: SwitchOff::default(),
+        loosened: None,
         pending: 0,
         words: String::new(),
         stats: answer.stats,
@@ -102,17 +120,17 @@ fn begun(all: &Solved, objective: Objective) -> PriceAnswer {
 }
 
 /// The scene whose rules are priced; it has the objective that is in force with all rules.
-struct Pricing<'a, 'h> {
-    instance: &'a Instance,
+pub(super) struct Pricing<'a, 'h> {
+    pub(super) instance: &'a Instance,
     /// The horizon, where a person set one.
-    within: Option<u32>,
-    budget: &'a Rc<Budget<'h>>,
+    pub(super) within: Option<u32>,
+    pub(super) budget: &'a Rc<Budget<'h>>,
 }
 
 impl Pricing<'_, '_> {
     /// The best plan of a variant, with one of so many equal parts of what is left of the
     /// budget.
-    fn solve(
+    pub(super) fn solve(
         &self,
         instance: &Instance,
         start: Option<&giveway_model::Plan>,
@@ -185,12 +203,16 @@ impl Pricing<'_, '_> {
     }
 }
 
-fn difference(with: Costs, without: Costs, cost: Cost) -> i64 {
+pub(super) fn difference(with: Costs, without: Costs, cost: Cost) -> i64 {
     i64::from(with.get(cost)) - i64::from(without.get(cost))
 }
 
 /// The price of a rule by the answers with it and without it, and whether it is exact.
-fn compared(objective: &Objective, with: &SolveAnswer, without: &SolveAnswer) -> (Price, bool) {
+pub(super) fn compared(
+    objective: &Objective,
+    with: &SolveAnswer,
+    without: &SolveAnswer,
+) -> (Price, bool) {
     let vector = |answer: &SolveAnswer| answer.costs.map(|costs| costs.vector(objective));
     match (with.status, without.status) {
         (Status::Optimal, Status::Optimal) => {

@@ -2,7 +2,7 @@
 
 use giveway_model::{Cost, Scene, format::native};
 
-use super::{Price, PriceAnswer, PriceRequest, serve};
+use super::{Loosened, Price, PriceAnswer, PriceRequest, serve};
 use crate::{SilentHost, Status};
 
 fn scene(rules: &str) -> Scene {
@@ -132,4 +132,131 @@ fn the_conflict_of_a_small_scene_is_minimal() {
     let unknown = |fact: &&crate::explain::Fact| fact.helps == crate::explain::Helps::Unknown;
     assert_eq!(conflict.facts.iter().find(unknown), None, "{conflict:?}");
     assert_eq!(answer.switch_off.switch_off, [vec![0], vec![2]]);
+}
+
+fn loosen(scene: Scene, rule: u32) -> (PriceAnswer, Loosened) {
+    let request = PriceRequest {
+        scene,
+        loosen: Some(rule),
+        ..PriceRequest::default()
+    };
+    let answer = serve(&request, &SilentHost).unwrap();
+    let loosened = answer.loosened.clone().unwrap();
+    (answer, loosened)
+}
+
+/// The looser rules, with the first cost and what it saves.
+fn looser(loosened: &Loosened) -> Vec<(String, u32, Option<i64>)> {
+    let rules = loosened.looser.iter();
+    let first = Cost::Makespan;
+    rules
+        .map(|it| {
+            assert!(it.exact && it.least, "{it:?}");
+            let saved = it.difference.get(&first).copied();
+            (it.rule.sentence(), it.costs[&first], saved)
+        })
+        .collect()
+}
+
+#[test]
+fn a_limit_is_loosened_by_the_least_that_changes_the_costs() {
+    let rules = r#"{ "kind": "capacity", "zone": "aisle", "most": 0 },
+        { "kind": "capacity", "zone": "aisle", "most": 1 }"#;
+    let (answer, loosened) = loosen(scene(rules), 1);
+    assert_eq!(answer.status, Status::Impossible);
+    assert_eq!(answer.prices.len(), 1, "this rule alone is priced");
+    assert!(loosened.settled && loosened.looser.is_empty());
+    assert!(
+        answer
+            .words
+            .ends_with("No looser form of this rule leaves a plan.")
+    );
+    let rules = r#"{ "kind": "capacity", "zone": "aisle", "most": 0 }"#;
+    let (_, loosened) = loosen(scene(rules), 0);
+    let told = looser(&loosened);
+    assert_eq!(told, [("At most 1 robot in 'aisle'".to_owned(), 7, None)]);
+    let rules = r#"{ "kind": "capacity", "zone": "aisle", "most": 1 }"#;
+    let (answer, loosened) = loosen(scene(rules), 0);
+    let told = looser(&loosened);
+    assert_eq!(
+        told,
+        [("At most 2 robots in 'aisle'".to_owned(), 5, Some(2))]
+    );
+    assert!(
+        answer.words.contains(
+            "Loosened by the least that helps: At most 2 robots in 'aisle'. Then makespan 5"
+        ),
+        "{}",
+        answer.words
+    );
+}
+
+#[test]
+fn times_are_loosened_at_both_ends() {
+    let closed = |times: &str| {
+        scene(&format!(
+            r#"{{ "kind": "closed", "zone": "aisle"{times} }}"#
+        ))
+    };
+    // Without the rule it takes 5 steps, in the aisle from 1 to 4.
+    let (answer, loosened) = loosen(closed(r#", "from": 0, "to": 9"#), 0);
+    assert_eq!(answer.costs.unwrap().makespan, 14);
+    let told = looser(&loosened);
+    assert_eq!(
+        told,
+        [
+            ("No robot in 'aisle' up to 8".to_owned(), 13, Some(1)),
+            // One of them passes before.
+            ("No robot in 'aisle' from 4 to 9".to_owned(), 13, Some(1)),
+        ]
+    );
+    let (answer, loosened) = loosen(closed(""), 0);
+    assert_eq!(answer.status, Status::Impossible);
+    assert_eq!(loosened.looser.len(), 2, "{loosened:?}");
+    assert!(!loosened.looser[0].least, "any end would do");
+    let from = &loosened.looser[1];
+    assert_eq!(from.rule.sentence(), "No robot in 'aisle' from 5 on");
+    assert!(from.least && from.exact);
+}
+
+#[test]
+fn a_rule_that_is_free_or_only_on_or_off_has_nothing_looser() {
+    let (answer, loosened) = loosen(scene(r#"{ "kind": "depart", "from": 0 }"#), 0);
+    assert!(!loosened.can_loosen && loosened.settled);
+    assert!(
+        answer
+            .words
+            .ends_with("This rule has no number and no times to loosen.")
+    );
+    let (answer, loosened) = loosen(scene(r#"{ "kind": "arrive", "by": 9 }"#), 0);
+    assert!(loosened.can_loosen && loosened.settled && loosened.looser.is_empty());
+    assert!(
+        answer
+            .words
+            .ends_with("No looser form of this rule changes the costs.")
+    );
+    let mut request = PriceRequest {
+        scene: scene(r#"{ "kind": "gap", "steps": 2, "off": true }"#),
+        loosen: Some(0),
+        ..PriceRequest::default()
+    };
+    assert!(serve(&request, &SilentHost).is_err(), "it is off");
+    request.loosen = Some(7);
+    assert!(serve(&request, &SilentHost).is_err(), "there is none");
+}
+
+#[test]
+fn a_spent_budget_leaves_it_open() {
+    let mut request = PriceRequest {
+        scene: scene(r#"{ "kind": "capacity", "zone": "aisle", "most": 1 }"#),
+        loosen: Some(0),
+        ..PriceRequest::default()
+    };
+    request.limits.work = Some(1);
+    let answer = serve(&request, &SilentHost).unwrap();
+    assert!(
+        answer
+            .loosened
+            .is_none_or(|it| !it.settled && it.looser.is_empty())
+    );
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::words::{and, or};
 use giveway_model::{Cost, Instance, Objective, tr};
 
-use super::{Price, PriceAnswer, RulePrice};
+use super::{Loosened, LooserRule, Price, PriceAnswer, RulePrice};
 use crate::{Status, explain};
 
 /// The price of a rule in a few words: `free`, `+2 steps`, `no plan with it`. Of the costs
@@ -105,6 +105,56 @@ pub fn switch_off(instance: &Instance, answer: &PriceAnswer) -> Option<String> {
     })
 }
 
+/// The costs of the best plan under a looser rule: `makespan 8, sum of costs 21`.
+pub fn looser_costs(objective: &Objective, looser: &LooserRule) -> String {
+    let costs = objective.costs().iter();
+    let costs: Vec<String> = costs
+        .filter_map(|cost| Some(giveway_model::words::value(*cost, *looser.costs.get(cost)?)))
+        .collect();
+    costs.join(", ")
+}
+
+/// How a rule can be loosened, in sentences.
+pub fn loosened(objective: &Objective, status: Status, loosened: &Loosened) -> Vec<String> {
+    let looser = loosened.looser.iter().map(|looser| {
+        let costs = looser_costs(objective, looser);
+        let rule = looser.rule.sentence();
+        if looser.least {
+            tr!(
+                "Loosened by the least that helps: {rule}. Then {costs}.",
+                rule,
+                costs
+            )
+        } else {
+            tr!(
+                "Loosened: {rule}. Then {costs}. Perhaps less would do.",
+                rule,
+                costs
+            )
+        }
+    });
+    let mut sentences: Vec<String> = looser.collect();
+    sentences.extend(nothing_looser(status, loosened).map(str::to_owned));
+    sentences
+}
+
+/// Why there is no looser rule to take; nothing where there is one.
+pub fn nothing_looser(status: Status, loosened: &Loosened) -> Option<&'static str> {
+    if !loosened.looser.is_empty() {
+        return None;
+    }
+    Some(match (loosened.can_loosen, loosened.settled, status) {
+        (false, _, _) => tr!("This rule has no number and no times to loosen."),
+        (true, true, Status::Impossible) => {
+            tr!("No looser form of this rule leaves a plan.")
+        }
+        (true, true, Status::Optimal | Status::Feasible | Status::Unknown) => {
+            tr!("No looser form of this rule changes the costs.")
+        }
+        (true, false, _) => tr!("Time ran out. A looser form of this rule may help."),
+    })
+}
+
 /// All prices, and which rules exclude each other.
 pub(super) fn all(answer: &PriceAnswer, instance: &Instance) -> String {
     if answer.prices.is_empty() {
@@ -116,6 +166,9 @@ pub(super) fn all(answer: &PriceAnswer, instance: &Instance) -> String {
     }
     let prices = answer.prices.iter();
     sentences.extend(prices.map(|price| sentence(instance, &answer.objective, price)));
+    if let Some(told) = &answer.loosened {
+        sentences.extend(loosened(&answer.objective, answer.status, told));
+    }
     sentences.extend(explain::words::because(
         answer.conflict.as_ref(),
         explain::Verdict::Necessary,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Costs};
 
-use super::{for_ever::Proved, horizon::Horizon, incumbent::OnBetter};
+use super::{earlier::EarlierOptima, for_ever::Proved, horizon::Horizon, incumbent::OnBetter};
 use crate::{budget::Stop, walk::Walk};
 
 /// Bounds on a plan beside the rules.
@@ -75,6 +75,8 @@ pub(crate) struct Verdict {
 pub(crate) struct Contact<'a> {
     /// The walks of a plan that is known already.
     pub(crate) start: Option<&'a [Walk]>,
+    /// The optima of an earlier search with fewer conditions.
+    pub(crate) earlier: Option<&'a EarlierOptima>,
     /// Is told of each better plan.
     pub(crate) on_better: &'a OnBetter<'a>,
 }

@@ -2,7 +2,10 @@
 
 use giveway_model::Cost;
 
-use super::{counting::CountedBound, for_ever::LeastForEver, minima::LoneBound, stage::Search};
+use super::{
+    counting::CountedBound, earlier::EarlierOptimum, for_ever::LeastForEver, minima::LoneBound,
+    stage::Search,
+};
 use crate::sat::Core;
 
 /// Counting shows much where it shows one of so many parts.
@@ -40,6 +43,11 @@ impl Bound {
         if counted.shows(self.cost, counted.at_least()).is_some() {
             self.at_least = self.at_least.max(counted.at_least());
         }
+    }
+
+    /// Takes in the optimum of an earlier search, of which the formula knows nothing.
+    pub(super) fn take_earlier(&mut self, earlier: EarlierOptimum) {
+        self.at_least = self.at_least.max(earlier.least());
     }
 
     /// Takes in a bound that was proved in another way.

@@ -55,12 +55,14 @@ pub(crate) fn find(
 ) -> Verdict {
     let contact = Contact {
         start: None,
+        earlier: None,
         on_better: &|_, _| {},
     };
     find_from(problem, objective, bounded, aim, &contact, budget)
 }
 
-fn find_from(
+/// The same, from what is known already.
+pub(crate) fn find_from(
     problem: &Problem,
     objective: &Objective,
     bounded: &Bounded,
@@ -96,6 +98,7 @@ fn find_from(
         problem,
         bounded,
         aim,
+        earlier: contact.earlier,
         budget,
     };
     let end = run(given, &mut incumbent, &mut verdict);
@@ -131,6 +134,7 @@ fn run(
         bounded,
         aim,
         budget,
+        ..
     } = given;
     if let Some((agent, reason)) = for_ever::too_late(problem, bounded, budget)? {
         verdict.clash = vec![agent];

@@ -12,6 +12,7 @@
 //!   [`bound`]: lower bounds, raised by cores;
 //! - [`lexicographic`]: all of it in order; [`prove`]: the part after a first plan;
 //! - [`claim`]: what is proved, and what is under way;
+//! - [`earlier`]: optima of an earlier search;
 //! - [`deadlines`]: the latest arrivals that are looked at, and why;
 //! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
 //! - [`for_ever`]: claims that hold whatever the horizon.
@@ -22,6 +23,7 @@ mod claim;
 mod closest;
 mod counting;
 mod deadlines;
+mod earlier;
 mod feasible;
 mod for_ever;
 mod growing;
@@ -41,9 +43,10 @@ mod tests;
 
 pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
 pub(crate) use closest::{Extent, GivenWalk, closest};
+pub(crate) use earlier::EarlierOptima;
 pub(crate) use for_ever::{ForEver, NoPlan, Proved, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;
 pub(crate) use incumbent::free_of_collisions;
-pub(crate) use lexicographic::{find, solve};
+pub(crate) use lexicographic::{find, find_from, solve};
 pub(crate) use minima::{LoneBound, Minima};
 pub(crate) use team::Team;

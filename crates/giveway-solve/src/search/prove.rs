@@ -9,6 +9,7 @@ use super::{
     bound::Bound,
     counting::Counting,
     deadlines::Keeping,
+    earlier::EarlierOptima,
     for_ever::{self, ForEver, Least, LeastForEver, NoPlan, OfOptima},
     incumbent::Incumbent,
     makespan,
@@ -30,6 +31,7 @@ pub(super) struct SearchInput<'a, 'h> {
     pub(super) problem: &'a Problem,
     pub(super) bounded: &'a Bounded,
     pub(super) aim: &'a Aim,
+    pub(super) earlier: Option<&'a EarlierOptima>,
     pub(super) budget: &'a Rc<Budget<'h>>,
 }
 
@@ -177,6 +179,11 @@ fn stages(
         let last = i + 1 == objective.costs().len();
         let mut bound = Bound::new(cost, search.team.lone_bound(cost)?);
         let mut counted = None;
+        let earlier = given.earlier;
+        let earlier = earlier.and_then(|earlier| earlier.next(&optima));
+        if let Some(earlier) = earlier {
+            bound.take_earlier(earlier);
+        }
         if bound.met(&search).is_none() {
             let within = search.claim.optima().get(&Cost::Makespan);
             let within = within.or(bounded.limits.get(&Cost::Makespan)).copied();
@@ -212,6 +219,8 @@ fn stages(
         let counted = counted.and_then(|counted| counted.shows(cost, optimum.least()));
         let known = known.map(|known| known.reason);
         let known = known.or(counted.map(ForEver::from));
+        let earlier = earlier.and_then(|earlier| earlier.shows(optimum.least()));
+        let known = known.or(earlier.map(ForEver::from));
         for_ever.and(&mut search, optimum, known, bounded)?;
         optima.push(optimum.least());
         if given.aim.is_missed(&optima) || is_met(given.aim, search.incumbent) {

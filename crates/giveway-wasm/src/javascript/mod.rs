@@ -21,8 +21,10 @@ use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::ChangeRequest;
 use giveway_solve::delays::DelaysRequest;
 use giveway_solve::freedom::FreedomRequest;
+use giveway_solve::order::OrderRequest;
 use giveway_solve::plan::PlanRequest;
 use giveway_solve::price::PriceRequest;
+use giveway_solve::sizing::SizingRequest;
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::{
     CertifyRequest, CheckRequest, Host, Limits, Progress, Refusal, Request, Response, SolveRequest,
@@ -145,6 +147,33 @@ pub fn delays(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> 
         request,
         options,
         Request::Delays as fn(DelaysRequest) -> Request,
+    )
+}
+
+/// Tells who must begin to leave each cell before who begins to come, and who is pushed if
+/// robots are late; writes that as way-points, as DOT and as VDA 5050 orders.
+///
+/// # Errors
+/// As [`solve`]; also where the plan breaks a rule.
+#[wasm_bindgen(skip_typescript)]
+pub fn order(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Order as fn(OrderRequest) -> Request,
+    )
+}
+
+/// Tells how many robots a floor bears: the best plan of the first robots, for several numbers.
+///
+/// # Errors
+/// As [`solve`].
+#[wasm_bindgen(skip_typescript)]
+pub fn sizing(request: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
+    serve_with(
+        request,
+        options,
+        Request::Sizing as fn(SizingRequest) -> Request,
     )
 }
 
@@ -299,6 +328,8 @@ fn answered(response: Response) -> Result<JsValue, JsValue> {
         Response::Freedom(answer) => objects::write(&answer),
         Response::Priced(answer) => objects::write(&answer),
         Response::Delays(answer) => objects::write(&answer),
+        Response::Order(answer) => objects::write(&answer),
+        Response::Sized(answer) => objects::write(&answer),
         Response::Refused(refusal) => Err(refused(refusal)),
     }
 }

@@ -22,6 +22,8 @@ const FUNCTIONS: [(&str, Function); 17] = [
     ("freedom", |request| giveway_wasm::freedom(request, &NONE)),
     ("price", |request| giveway_wasm::price(request, &NONE)),
     ("delays", |request| giveway_wasm::delays(request, &NONE)),
+    ("order", |request| giveway_wasm::order(request, &NONE)),
+    ("sizing", |request| giveway_wasm::sizing(request, &NONE)),
     ("plan", |request| giveway_wasm::plan(request, &NONE)),
     ("compare", giveway_wasm::compare_plans),
     ("readFiles", |files| giveway_wasm::read_files(files, &NONE)),

@@ -160,6 +160,38 @@ fn delays_are_split_by_whom_a_robot_lets_pass() {
 }
 
 #[wasm_bindgen_test]
+fn robots_keep_an_order() {
+    let scene = json!({ "giveway": 1, "map": ["...."],
+        "agents": [{ "name": "A1", "start": [1, 0], "goal": [3, 0] },
+            { "name": "A2", "start": [0, 0], "goal": [2, 0] }] });
+    let late = json!([{ "agent": "A1", "cell": [2, 0], "steps": 3 }]);
+    let request =
+        json!({ "scene": scene, "late": late, "to": ["dot", "csv", "waypoints", "vda5050"] });
+    let answer = data(&giveway_wasm::order(&object(&request), &NONE).unwrap());
+    assert_eq!(answer["order"]["links"].as_array().unwrap().len(), 2);
+    assert_eq!(answer["without_slack"], 2);
+    assert_eq!(
+        answer["late"]["arrivals"][1],
+        json!({ "agent": "A2", "planned": 2, "now": 5, "most": 3 })
+    );
+    let files = answer["files"].as_array().unwrap();
+    assert_eq!(files.len(), 4);
+    assert!(
+        files[3]["text"]
+            .as_str()
+            .unwrap()
+            .contains("\"orderUpdateId\"")
+    );
+    let late = json!([{ "agent": "A3", "cell": [2, 0], "steps": 3 }]);
+    let request = json!({ "scene": scene, "late": late });
+    let (code, place, _) = told(&giveway_wasm::order(&object(&request), &NONE).unwrap_err());
+    assert_eq!(
+        (code.as_str(), place.as_str()),
+        ("bad-input", "late[0].agent")
+    );
+}
+
+#[wasm_bindgen_test]
 fn a_planner_of_the_textbook_plans_and_tells_how() {
     let scene = json!({ "giveway": 1, "map": ["#.#", "...", "#.#"], "objective": ["sum-of-costs"],
         "agents": [{ "name": "A", "start": [0, 1], "goal": [2, 1] },

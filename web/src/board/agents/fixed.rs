@@ -10,6 +10,7 @@ pub(super) struct Fixed {
     pub(super) place: Option<String>,
     pub(super) is_gone: bool,
     pub(super) turn: Option<String>,
+    pub(super) aim: Option<String>,
     pub(super) level: Option<String>,
     pub(super) reserve: Option<&'static str>,
     pub(super) badge: Option<String>,
@@ -26,6 +27,7 @@ impl Fixed {
             place: Some(shift(x, y, scale)),
             is_gone: pose.is_gone,
             turn: pose.heading.map(|heading| format!("rotate({heading:.0})")),
+            aim: pose.turns_to.map(|to| format!("rotate({to:.0})")),
             level: pose
                 .charge
                 .map(|charge| format!("{:.1} {RING}", charge.share * RING)),

@@ -7,12 +7,15 @@ mod transit;
 use std::cell::Cell;
 use std::rc::Rc;
 
-use giveway_page::board::{Badge, Cast, Detail};
-use giveway_page::{Point, form};
+use giveway_page::board::{Badge, Cast, Detail, Side, TurnSide, sides};
+use giveway_page::timeline::whole;
+use giveway_page::{Draft, Point, form};
+use web_sys::Element;
 use yew::prelude::*;
 
-use super::motion::{children, use_motion};
+use super::motion::{Attribute, children, use_motion};
 use super::viewport::Sight;
+use crate::same::Same;
 use crate::{Clock, glyph};
 use fixed::Fixed;
 use parts::Parts;
@@ -22,6 +25,8 @@ use transit::Transit;
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct AgentsProps {
     pub(super) cast: Rc<Cast>,
+    /// The map that they are on.
+    pub(super) draft: Same<Draft>,
     /// The same agents by another plan: those who are elsewhere in it are marked.
     pub(super) versus: Option<Rc<Cast>>,
     pub(super) detail: Detail,
@@ -50,14 +55,15 @@ pub(super) fn Agents(props: &AgentsProps) -> Html {
         let (props, transits, agents) = (props.clone(), transits.clone(), agents.clone());
         use_motion(move || {
             let transits = children(&transits).into_iter().map(Transit::new);
-            let is_dot = props.detail == Detail::Dots;
             let parts = children(&agents).into_iter();
-            let parts = parts.map(|agent| Parts::new(agent, is_dot));
+            let parts = parts.map(|agent| Parts::new(agent, props.detail));
             let moving: Vec<(Transit, Parts, Drawn)> = transits
                 .zip(parts)
                 .map(|(transit, parts)| (transit, parts, Drawn::default()))
                 .collect();
+            let sides = Sides::new(&agents, &props);
             move |time| {
+                sides.show(&props, time);
                 let frame = props.sight.get();
                 // Where it rests, all have to be where they are: whatever comes
                 // into sight then comes without another frame.
@@ -102,6 +108,7 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
     let class = classes!(
         "agent",
         glyph::class(agent),
+        is_selected.then_some("me"),
         (lit == Some(false)).then_some("dim"),
         (!has_battery).then_some("no-battery")
     );
@@ -127,15 +134,28 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
         .and_then(|time| props.cast.pose(agent, time))
         .map(|pose| Fixed::of(&pose, &props.cast))
         .unwrap_or_default();
-    let does = |badge: Badge| (fixed.does == Some(badge)).then_some("");
     let shape = match detail {
         Detail::Dots => html! { <circle class="form" r="38" /> },
-        Detail::Forms => html! { <g class="body">{ crate::form(agent) }</g> },
-        Detail::Plain | Detail::All => html! {
+        Detail::Forms => html! {
+            <>
+                <g class="body">{ crate::form(agent) }</g>
+                <text class="num beside" dy="0.36em">{ props.cast.numbers[agent].clone() }</text>
+            </>
+        },
+        Detail::Numbers => named_form(agent, &props.cast.numbers[agent], "num"),
+        Detail::Plain => html! {
+            <>
+                { named_form(agent, &props.cast.badges[agent], "num name") }
+                { badges(&fixed) }
+            </>
+        },
+        Detail::All => html! {
             <>
                 <circle class="halo" r="41" />
                 <path class="beak" d="M38-9.5 49 0 38 9.5Z" transform={fixed.turn.clone()}
                     visibility={if fixed.turn.is_some() { "visible" } else { "hidden" }} />
+                <path class="beak aim" d="M38-9.5 49 0 38 9.5Z" transform={fixed.aim.clone()}
+                    visibility={if fixed.aim.is_some() { "visible" } else { "hidden" }} />
                 if has_battery {
                     <circle class="ring" r="36" />
                     <circle class="lvl" r="36" transform="rotate(-90)" stroke-dasharray={fixed.level.clone()} data-level={fixed.reserve} />
@@ -144,15 +164,79 @@ fn agent_shape(props: &AgentsProps, agent: usize) -> Html {
                     { crate::form(agent) }
                     { name(&props.cast.badges[agent]) }
                 </g>
-                <g class="badge-at" transform={fixed.badge.clone()}>
-                    <g class="chbadge" data-on={does(Badge::Charges)}><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
-                    <g class="brbadge" data-on={does(Badge::Broken)}><circle r="17" /><path d="M-6-6 6 6M6-6-6 6" /></g>
-                    <g class="wbadge" data-on={does(Badge::Waits)}><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
-                </g>
+                { badges(&fixed) }
             </>
         },
     };
     html! { <g key={agent} {class} transform={fixed.place.clone()} data-gone={fixed.is_gone.then_some("")}>{ selection }{ shape }</g> }
+}
+
+/// A form with a text in it that keeps its size.
+fn named_form(agent: usize, text: &str, class: &'static str) -> Html {
+    let is_long = form::is_long(text);
+    html! {
+        <>
+            <g class="body">{ crate::form(agent) }</g>
+            <text class={classes!(class, is_long.then_some("long"))} dy="0.36em">{ text.to_owned() }</text>
+        </>
+    }
+}
+
+/// What an agent does, where its motion does not show it.
+fn badges(fixed: &Fixed) -> Html {
+    let does = |badge: Badge| (fixed.does == Some(badge)).then_some("");
+    html! {
+        <g class="badge-at" transform={fixed.badge.clone()}>
+            <g class="chbadge" data-on={does(Badge::Charges)}><circle r="17" /><path d="M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z" /></g>
+            <g class="brbadge" data-on={does(Badge::Broken)}><circle r="17" /><path d="M-6-6 6 6M6-6-6 6" /></g>
+            { for TurnSide::ALL.iter().map(|&side| html! {
+                <g class={classes!("tbadge", side_class(side))} data-on={does(Badge::Turns(side))}><circle r="17" /><path d={side.arrow()} /></g>
+            }) }
+            <g class="wbadge" data-on={does(Badge::Waits)}><circle r="17" /><path d="M-4-6V6M4-6V6" /></g>
+        </g>
+    }
+}
+
+/// The class of the badge of a turn.
+pub(super) const fn side_class(side: TurnSide) -> &'static str {
+    match side {
+        TurnSide::Left => "t-left",
+        TurnSide::Right => "t-right",
+        TurnSide::Back => "t-back",
+    }
+}
+
+/// The sides on which numbers stand beside their forms; they change with the whole time.
+struct Sides {
+    numbers: Vec<Attribute>,
+    time: Cell<Option<u32>>,
+}
+
+impl Sides {
+    fn new(agents: &NodeRef, props: &AgentsProps) -> Self {
+        let is_beside = props.detail == Detail::Forms;
+        let agents = if is_beside {
+            children(agents)
+        } else {
+            Vec::new()
+        };
+        let number = |agent: &Element| Attribute::of_part(agent, "beside", "data-side");
+        Self {
+            numbers: agents.iter().filter_map(number).collect(),
+            time: Cell::new(None),
+        }
+    }
+
+    fn show(&self, props: &AgentsProps, time: f64) {
+        let time = whole(time);
+        if self.numbers.is_empty() || self.time.replace(Some(time)) == Some(time) {
+            return;
+        }
+        let sides = sides(&props.cast, props.draft.grid(), time);
+        for (number, side) in self.numbers.iter().zip(sides) {
+            number.set(side.map_or("none", Side::class));
+        }
+    }
 }
 
 /// What stands on a form.

@@ -1,8 +1,9 @@
 //! What moves of an agent: its place, where it looks, its battery, its badges.
 
-use giveway_page::board::{Badge, CELL, Cast, Pose, of_badge};
+use giveway_page::board::{Badge, CELL, Cast, Detail, Pose, TurnSide, of_badge};
 use web_sys::Element;
 
+use super::side_class;
 use crate::board::motion::{Attribute, children_of};
 use crate::board::units;
 
@@ -48,6 +49,8 @@ pub(super) struct Parts {
     pub(super) differs: Attribute,
     turn: Option<Attribute>,
     turns: Option<Attribute>,
+    aim: Option<[Attribute; 2]>,
+    turning: Vec<(TurnSide, Attribute)>,
     ring: Option<Attribute>,
     level: Option<Attribute>,
     charges: Option<Attribute>,
@@ -57,9 +60,14 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn new(agent: Element, is_dot: bool) -> Self {
-        let part = |class, name| Attribute::of_part(&agent, class, name);
-        let place = if is_dot {
+    pub(super) fn new(agent: Element, detail: Detail) -> Self {
+        // Small agents have none of these; to look for them takes long where there are many.
+        let has_parts = detail >= Detail::Plain;
+        let part = |class, name| {
+            let part = has_parts.then(|| Attribute::of_part(&agent, class, name));
+            part.flatten()
+        };
+        let place = if detail == Detail::Dots {
             let circles = children_of(&agent).into_iter();
             let middles = circles.map(|circle| {
                 let across = Attribute::new(circle.clone(), "cx");
@@ -72,6 +80,13 @@ impl Parts {
         Self {
             turn: part("beak", "transform"),
             turns: part("beak", "visibility"),
+            aim: part("aim", "transform")
+                .zip(part("aim", "visibility"))
+                .map(|(turn, shows)| [turn, shows]),
+            turning: TurnSide::ALL
+                .into_iter()
+                .filter_map(|side| Some((side, part(side_class(side), "data-on")?)))
+                .collect(),
             ring: part("lvl", "stroke-dasharray"),
             level: part("lvl", "data-level"),
             charges: part("chbadge", "data-on"),
@@ -98,6 +113,19 @@ impl Parts {
             } else {
                 turns.set("hidden");
             }
+        }
+        if let Some([turn, shows]) = &self.aim {
+            if let Some(to) = pose.turns_to {
+                turn.set(&format!("rotate({to:.0})"));
+            }
+            shows.set(if pose.turns_to.is_some() {
+                "visible"
+            } else {
+                "hidden"
+            });
+        }
+        for (side, badge) in &self.turning {
+            badge.toggle(pose.badge == Some(Badge::Turns(*side)));
         }
         if let (Some(ring), Some(level), Some(charge)) = (&self.ring, &self.level, pose.charge) {
             ring.set(&format!("{:.1} {RING}", charge.share * RING));

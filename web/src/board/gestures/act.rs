@@ -1,7 +1,9 @@
 //! What a press comes to: a stroke of a brush, or a selection.
 
 use giveway_model::Cell;
+use giveway_page::board::zone_at;
 use giveway_page::freedom::{FreedomAction, pressed};
+use giveway_page::rules::RuleAction;
 use giveway_page::steering::Lead;
 use giveway_page::{Action, BoardAction, Selection, Tool};
 use web_sys::PointerEvent;
@@ -10,6 +12,7 @@ use super::place::Px;
 use super::{Act, Surface};
 use crate::board::coalesced::places;
 use crate::board::freedom::reads_numbers;
+use crate::inspector;
 
 impl Surface {
     pub(super) fn paints(&self) -> bool {
@@ -77,6 +80,15 @@ impl Surface {
         cell.flatten()
     }
 
+    /// The zone whose tab is pressed at a pixel, where no robot stands on it and no cell is asked
+    /// for.
+    fn zone_at(&self, at: Px, time: f64) -> Option<String> {
+        if self.agent_at(at, time).is_some() || self.state.is_writing_rule() {
+            return None;
+        }
+        zone_at(&self.state, self.frame.point(at), self.frame.detail())
+    }
+
     pub(super) fn select(&self, at: Px, time: f64) {
         let cell = self.cell(self.frame.point(at));
         if self.state.document.mode.steering().is_some() {
@@ -91,6 +103,11 @@ impl Surface {
         if let Some(closed) = self.number_at(at, time) {
             self.send
                 .emit(Action::Freedom(FreedomAction::Close(closed)));
+            return;
+        }
+        if let Some(zone) = self.zone_at(at, time) {
+            self.send.emit(Action::Rules(RuleAction::OfTab(zone)));
+            inspector::show_rules();
             return;
         }
         let selection = match (self.agent_at(at, time), cell) {

@@ -1,11 +1,19 @@
 //! What follows a pointer that is not down: the frame of the brush, the goal of an
 //! agent that is placed.
 
+use std::rc::Rc;
+
 use giveway_page::{Action, BoardAction};
+use gloo::timers::callback::Timeout;
 use web_sys::{Element, PointerEvent};
 
 use super::place::Px;
 use super::{Hand, Surface};
+use crate::board::pointer::At;
+use crate::board::tip::has_tips;
+
+/// How long a finger rests before the cell below it is told of, in milliseconds.
+const REST_MS: u32 = 500;
 
 impl Surface {
     /// A frame around the cell that a brush would paint.
@@ -34,6 +42,37 @@ impl Surface {
         if let Some(cell) = cell.filter(|&cell| cell != self.state.view.cursor) {
             self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
+    }
+
+    /// What is under a pointer that rests on the board, for those who tell of it.
+    pub(super) fn point(&self, hand: &Hand, at: Px, event: &PointerEvent, time: f64) {
+        if event.pointer_type() != "touch" {
+            let is_up = hand.fingers.is_empty();
+            self.pointer
+                .set(is_up.then(|| self.under(at, time)).flatten());
+        }
+    }
+
+    /// What is at a pixel; `None` off the map.
+    fn under(&self, at: Px, time: f64) -> Option<At> {
+        let cell = self.cell(self.frame.point(at))?;
+        let agent = self.agent_at(at, time);
+        Some(At { cell, agent })
+    }
+
+    /// Tells of the cell under a finger that rests for a while.
+    pub(super) fn rest(&self, hand: &mut Hand, at: Px, time: f64) {
+        self.pointer.rests.set(false);
+        let pointer = Rc::clone(&self.pointer);
+        let under = self
+            .under(at, time)
+            .filter(|_| hand.is_touch && has_tips(&self.state));
+        hand.resting = under.map(|under| {
+            Timeout::new(REST_MS, move || {
+                pointer.rests.set(true);
+                pointer.set(Some(under));
+            })
+        });
     }
 
     fn set_hover(&self, name: &str, value: &str) {

@@ -1,6 +1,8 @@
 //! Pointers on the board: to paint, to select, to move the map, to pinch it.
 
 mod act;
+mod edge;
+mod framing;
 mod hover;
 mod look;
 mod place;
@@ -11,9 +13,11 @@ use std::rc::Rc;
 use giveway_model::Cell;
 use giveway_page::Action;
 use giveway_page::board::{Cast, Frame};
+use gloo::timers::callback::Timeout;
 use web_sys::{PointerEvent, WheelEvent};
 use yew::prelude::*;
 
+use super::pointer::Pointer;
 use super::viewport::Look;
 use crate::held::use_held;
 use crate::{Clock, Shown};
@@ -27,6 +31,7 @@ pub(super) struct Surface {
     pub(super) send: Callback<Action>,
     pub(super) cast: Rc<Cast>,
     pub(super) look: Callback<Look>,
+    pub(super) pointer: Rc<Pointer>,
     pub(super) frame: Frame,
     pub(super) is_fit: bool,
 }
@@ -67,6 +72,14 @@ struct Hand {
     act: Act,
     /// Whether a finger came down last.
     is_touch: bool,
+    /// Ends when the finger has rested for a while, and then tells of the cell below it.
+    resting: Option<Timeout>,
+    /// What a finger that stays comes to.
+    hold: Option<Timeout>,
+    /// Where the pointer of an area came to last.
+    at: Px,
+    /// Moves the map while that is at the edge of the board.
+    scroll: Option<edge::Scroll>,
 }
 
 /// The gestures on a surface.
@@ -85,6 +98,16 @@ pub(super) fn use_gestures(surface: Surface) -> Gestures {
             hand.set(now);
         })
     };
+    {
+        // The map has moved below a pointer that rests.
+        let (hand, surface) = (Rc::clone(&hand), Rc::clone(&surface));
+        let Frame { x, y, .. } = surface.0.frame;
+        use_effect_with((x.to_bits(), y.to_bits()), move |_| {
+            let mut now = hand.take();
+            surface.0.follow_scroll(&mut now);
+            hand.set(now);
+        });
+    }
     let wheel = {
         let surface = Rc::clone(&surface);
         Callback::from(move |event: WheelEvent| surface.0.wheel(&event))
@@ -103,11 +126,17 @@ pub(super) fn use_gestures(surface: Surface) -> Gestures {
     };
     Gestures {
         mouse_down,
-        down: listen(|surface, hand, event, _| surface.down(hand, event)),
+        down: listen(Surface::down),
         moved: listen(Surface::moved),
         up: listen(Surface::up),
         cancel: listen(|surface, hand, event, _| surface.cancel(hand, event)),
-        leave: listen(|surface, _, _, _| surface.hide_hover()),
+        leave: listen(|surface, _, event, _| {
+            surface.hide_hover();
+            // A finger that told of a cell may go.
+            if event.pointer_type() != "touch" {
+                surface.pointer.set(None);
+            }
+        }),
         wheel,
     }
 }

@@ -5,14 +5,16 @@ use web_sys::{Element, PointerEvent, SvgElement};
 
 use super::place::distance;
 use super::{Act, Hand, Surface};
+use crate::board::area::side;
 use crate::board::viewport::Look;
 
 /// How far a pointer goes before that is a drag, in pixels.
 const SLOP_PX: f64 = 5.0;
 
 impl Surface {
-    pub(super) fn down(&self, hand: &mut Hand, event: &PointerEvent) {
+    pub(super) fn down(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
         let at = self.px(event);
+        self.pointer.set(None);
         if let Some(svg) = self.svg.cast::<Element>() {
             // Without capture a drag ends at the edge of the board.
             let _ = svg.set_pointer_capture(event.pointer_id());
@@ -29,8 +31,18 @@ impl Surface {
                 self.send.emit(Action::Board(BoardAction::Release));
             }
             hand.act = Act::Pinch;
+            (hand.resting, hand.hold) = (None, None);
             self.hide_hover();
             return;
+        }
+        hand.hold = None;
+        if let Some(stretch) = side(event).filter(|_| event.button() == 0) {
+            self.send.emit(Action::Area(stretch));
+            hand.act = Act::Paint(self.nearest_cell(self.frame.point(at)));
+            return;
+        }
+        if hand.is_touch {
+            hand.hold = self.long_press(at);
         }
         hand.act = match event.button() {
             0 if self.paints() && event.pointer_type() != "touch" => self.begin_stroke(at, event),
@@ -41,11 +53,13 @@ impl Surface {
             }
             _ => Act::Spent,
         };
+        self.rest(hand, at, time);
     }
 
     pub(super) fn moved(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
         let at = self.px(event);
         self.show_hover(at, event);
+        self.point(hand, at, event, time);
         self.look_for_goal(hand, at);
         let finger = hand.fingers.iter().position(|f| f.0 == event.pointer_id());
         let Some(finger) = finger else { return };
@@ -54,7 +68,13 @@ impl Surface {
             if distance(from, at) < SLOP_PX {
                 return;
             }
-            hand.act = if self.paints() || self.holds(from, event) {
+            hand.resting = None;
+            hand.hold = None;
+            hand.act = if let Some(area) = self.framing(from, event, time) {
+                let cell = self.nearest_cell(self.frame.point(from));
+                self.send.emit(Action::Area(area));
+                Act::Paint(cell)
+            } else if self.paints() || self.holds(from, event) {
                 self.begin_stroke(from, event)
             } else if self.agent_at(from, time).is_none() && !self.is_fit {
                 Act::Pan(from)
@@ -68,7 +88,10 @@ impl Surface {
                 self.look.emit(Look::Pan((at.0 - last.0, at.1 - last.1)));
                 hand.act = Act::Pan(at);
             }
-            Act::Paint(last) => hand.act = Act::Paint(self.stroke(last, event)),
+            Act::Paint(last) => {
+                hand.act = Act::Paint(self.stroke(last, event));
+                self.scroll(hand, at);
+            }
             Act::Pinch => self.pinch(hand, finger, before, at),
             Act::Nothing | Act::Pressed(_) | Act::Spent => {}
         }
@@ -76,14 +99,21 @@ impl Surface {
 
     pub(super) fn up(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
+        hand.resting = None;
+        hand.hold = None;
+        hand.scroll = None;
         let act = std::mem::take(&mut hand.act);
         match act {
+            // The finger has been told of the cell.
+            Act::Pressed(_) if self.pointer.rests.take() => {}
             Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
             Act::Pressed(at) if self.paints() => {
                 if let Act::Paint(_) = self.begin_stroke(at, event) {
                     self.send.emit(Action::Board(BoardAction::Release));
                 }
             }
+            // A long press has framed its cell.
+            Act::Pressed(at) if self.has_framed(at, event) => {}
             Act::Pressed(at) => self.select(at, time),
             _ => {}
         }
@@ -94,6 +124,9 @@ impl Surface {
 
     pub(super) fn cancel(&self, hand: &mut Hand, event: &PointerEvent) {
         hand.fingers.retain(|f| f.0 != event.pointer_id());
+        hand.resting = None;
+        hand.hold = None;
+        hand.scroll = None;
         if let Act::Paint(_) = std::mem::replace(&mut hand.act, Act::Spent) {
             self.send.emit(Action::Board(BoardAction::Release));
         }

@@ -10,6 +10,7 @@ use yew::prelude::*;
 
 use super::{Author, AuthorMsg, share};
 use crate::icon;
+use crate::turning::turning;
 
 /// The most findings that are told at once; the list has all of them.
 const TOLD: usize = 3;
@@ -140,15 +141,22 @@ impl Checked {
     pub(super) fn buttons(&self, send: &Callback<AuthorMsg>) -> Html {
         let button = |name: &'static str, icon: &'static str, msg: AuthorMsg| {
             let onclick = send.reform(move |_: MouseEvent| msg.clone());
-            html! { <button type="button" class="btn outline" {onclick}>{ icon::show(icon) }<span>{ name }</span></button> }
+            turning(
+                "outline",
+                name,
+                html! { <>{ icon::show(icon) }<span>{ name }</span></> },
+                onclick,
+            )
         };
-        if self.progress.is_some() {
-            return button(tr!("Cancel"), "cancel", AuthorMsg::Check(Action::Cancel));
-        }
+        let is_running = self.progress.is_some();
         html! {
             <>
-                if self.is_unknown { { button(tr!("Copy link anyway"), "warning", AuthorMsg::Copy { anyway: true }) } }
-                { button(tr!("Copy link"), "share", AuthorMsg::Copy { anyway: false }) }
+                if self.is_unknown && !is_running { { button(tr!("Copy link anyway"), "warning", AuthorMsg::Copy { anyway: true }) } }
+                { if is_running {
+                    button(tr!("Cancel"), "cancel", AuthorMsg::Check(Action::Cancel))
+                } else {
+                    button(tr!("Copy link"), "share", AuthorMsg::Copy { anyway: false })
+                } }
             </>
         }
     }

@@ -1,4 +1,5 @@
-//! How the plan was found, in the place of the lanes: the proof, the tree, the orders.
+//! How the plan was found, in the place of the lanes: the proof, the tree, the orders, the steps
+//! of planners of crowds.
 
 mod chart;
 mod proof;
@@ -16,13 +17,15 @@ use yew::prelude::*;
 
 use super::DockProps;
 use super::plan::Plan;
-use super::same::Same;
 use super::tabs::Tabs;
+use super::transport::play_button;
 use crate::icon;
 use crate::part::part;
+use crate::same::Same;
 use crate::timeline::inside::tree::TreeProps;
 use crate::timeline::plan::PlanProps;
 use crate::timeline::tabs::TabsProps;
+use crate::turning::turning;
 use proof::Proof;
 use switch::methods;
 pub(super) use switch::places;
@@ -47,6 +50,7 @@ pub(super) fn Inside(props: &DockProps) -> Html {
         Method::Proof => "pf-proof",
         Method::Tree => "pf-tree",
         Method::Orders => "pf-orders",
+        Method::Pibt | Method::Lacam => "pf-crowd",
     };
     html! {
         <section class={classes!("dock", "pf", "calm", class)} aria-label={tr!("How it was proved")}>
@@ -77,6 +81,12 @@ fn body(props: &DockProps) -> Html {
             },
             _ => waiting(state, send),
         },
+        Method::Pibt | Method::Lacam => match state.inside_answer() {
+            Some(answer) => html! {
+                { part::<Plan>(PlanProps { answer: Same::new(Rc::clone(answer)), beside: None::<Same<_>>, notes: None::<Rc<_>>, state: state.clone(), send: send.clone() }) }
+            },
+            None => waiting(state, send),
+        },
     }
 }
 
@@ -85,7 +95,7 @@ fn waiting(state: &State, send: &Callback<Action>) -> Html {
     let nothing = giveway_page::inside::nothing(state);
     let button = nothing.action.map(|(text, action)| {
         let press = send.reform(move |_: MouseEvent| action.clone());
-        html! { <button type="button" class="btn outline" onclick={press}>{ text }</button> }
+        turning("outline", text, html! { { text } }, press)
     });
     html! {
         <div class="nil lanes" id="lanes">
@@ -125,9 +135,7 @@ fn keys(state: &State, send: &Callback<Action>) -> Html {
             <div class="keys">
                 { button("start", tr!("First step"), "Home", InsideAction::First, before) }
                 { button("step-back", tr!("Step before"), ",", InsideAction::Back, before) }
-                <button type="button" class="btn playb" title={tr!("{name} (Space)", name)} disabled={!before && !after} onclick={play}>
-                    { icon::show(icon) }<span class="vh">{ name }</span>
-                </button>
+                { play_button(icon, name, !before && !after, play) }
                 { button("step", tr!("Next step"), ".", InsideAction::Next, after) }
                 { button("end", tr!("Last step"), "End", InsideAction::Last, after) }
             </div>

@@ -59,7 +59,10 @@ fn table(answer: &DelaysAnswer) -> String {
         .iter()
         .map(|row| plain::text(&row.agent).chars().count());
     let width = width.max().unwrap_or(0);
-    let mut text = format!("{}\n", bold("Who loses steps, because of whom"));
+    let mut text = format!(
+        "{}\n",
+        bold("Who loses steps, because of whom on its best way alone")
+    );
     for row in losers {
         let each = match row.because.as_slice() {
             [first, _, ..] => format!(", {} each", first.steps),

@@ -4,15 +4,15 @@ use std::fmt::Write as _;
 
 use anstyle::AnsiColor;
 use giveway_model::{
-    Cost, Costs, Instance, Plan,
+    Cost, Costs, Instance, Objective, Plan,
     change::History,
     check::{costs, costs_over_time},
     question::{sentence, to_words},
     words::name,
 };
 use giveway_solve::explain::{
-    Core, ExplainAnswer, FactGroup, Helps, Verdict, alone_sentence, facts_claim, facts_title,
-    helps_mark, verdict_word, witness_title,
+    Core, ExplainAnswer, FactGroup, GroupMark, Helps, Verdict, alone_sentence, facts_claim,
+    facts_title, helps_mark, price_clause, verdict_word, witness_title,
 };
 use giveway_solve::words::reach;
 
@@ -86,7 +86,7 @@ fn whole(
         if core.facts.len() > FEW_FACTS && !core.groups.is_empty() {
             groups(answer, core, title)
         } else {
-            facts(answer, core, title)
+            facts(answer, (core, before, instance.objective()), title)
         }
     }));
     let alone: Vec<String> = answer.alone.iter().map(alone_sentence).collect();
@@ -104,10 +104,21 @@ fn whole(
     parts.join("\n")
 }
 
-/// A set of facts, those that help with a mark, and what is claimed of it.
-fn facts(answer: &ExplainAnswer, core: &Core, title: &str) -> String {
-    let marked = core.facts.iter().map(|fact| {
+/// A set of facts, those that help with a mark, others with what is left without them, and what is
+/// claimed of it.
+fn facts(
+    answer: &ExplainAnswer,
+    (core, before, objective): (&Core, Option<Costs>, &Objective),
+    title: &str,
+) -> String {
+    let left = |place: u32, helps| {
+        let price = core.prices.iter().find(|price| price.fact == place)?;
+        Some(price_clause((price, helps), before.as_ref()?, objective))
+    };
+    let marked = (0..).zip(&core.facts).map(|(place, fact)| {
         let mark = helps_mark(&answer.question, answer.verdict, core, fact);
+        let mark = mark.map(str::to_owned);
+        let mark = mark.or_else(|| left(place, fact.helps).filter(|_| fact.helps != Helps::Yes));
         let mark = mark.map_or_else(String::new, |mark| format!(" ({mark})"));
         format!("{}{mark}", fact.text)
     });
@@ -142,7 +153,10 @@ fn mark(core: &Core, group: &FactGroup) -> String {
     let mut marks = Vec::new();
     let count = group.facts.len();
     marks.extend((count > 1).then(|| format!("{count} facts")));
-    marks.extend(group.needed.then(|| "needed".to_owned()));
+    marks.extend(match group.mark() {
+        GroupMark::Helps | GroupMark::Needed => Some("needed".to_owned()),
+        GroupMark::Open => None,
+    });
     let fact = |place: u32| {
         core.facts
             .get(place as usize)
@@ -153,8 +167,12 @@ fn mark(core: &Core, group: &FactGroup) -> String {
             let at_most = if price.proved { "" } else { "at most " };
             let costs = price.costs;
             let without = fact(price.fact).filter(|_| count > 1).unwrap_or("it");
+            let still = match group.mark() {
+                GroupMark::Helps => "",
+                GroupMark::Needed | GroupMark::Open => "still ",
+            };
             Some(format!(
-                "without \"{without}\": makespan {at_most}{}, sum of costs {at_most}{}",
+                "without \"{without}\": {still}makespan {at_most}{}, sum of costs {at_most}{}",
                 costs.makespan, costs.sum_of_costs
             ))
         }

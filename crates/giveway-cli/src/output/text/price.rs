@@ -17,6 +17,11 @@ pub(crate) fn price(instance: &Instance, answer: &PriceAnswer, columns: usize) -
     let mut parts = vec![title(instance), known(answer)];
     parts.push(drawings(instance, answer.plan.as_ref(), columns));
     parts.push(prices(instance, answer));
+    if let Some(loosened) = &answer.loosened {
+        let sentences = words::loosened(&answer.objective, answer.status, loosened);
+        let lines = sentences.iter().map(|it| format!("{}\n", plain::text(it)));
+        parts.push(lines.collect());
+    }
     parts.push(conflict(instance, answer));
     parts.push(work(&answer.stats));
     parts.retain(|part| !part.is_empty());

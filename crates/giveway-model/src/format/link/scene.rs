@@ -4,7 +4,8 @@
 use std::fmt::Write as _;
 
 use crate::{
-    Agent, Assumption, AtGoal, Battery, Cell, Cost, Ground, LeftOutRule, Objective, Scene,
+    Agent, Assumption, AtGoal, Battery, Cell, Cost, Ground, LeftOutRule, Measure, Objective, Scene,
+    Units,
 };
 
 use super::MAX_SIDE;
@@ -52,6 +53,9 @@ pub fn write(scene: &Scene) -> String {
     if !(scene.zones.is_empty() && scene.constraints.is_empty()) {
         let own = (&scene.zones, &scene.constraints);
         text = text + "&constraints=" + &message::write(&own);
+    }
+    if let Some(Units { cell, step }) = scene.units {
+        let _ = write!(text, "&units={}.{}", cell.thousandths(), step.thousandths());
     }
     text
 }
@@ -167,6 +171,15 @@ pub fn read(scene: &mut Scene, key: &str, value: &str) -> Option<()> {
             scene.assumptions = assumptions.collect::<Option<_>>()?;
         }
         "constraints" => (scene.zones, scene.constraints) = message::read(value)?,
+        "units" => {
+            let [cell, step] = numbers(value)?[..] else {
+                return None;
+            };
+            scene.units = Some(Units {
+                cell: Measure::from_thousandths(cell)?,
+                step: Measure::from_thousandths(step)?,
+            });
+        }
         "agents" if value.is_empty() => {}
         "agents" => {
             let agents: Option<Vec<Agent>> = value.split(';').map(read_agent).collect();

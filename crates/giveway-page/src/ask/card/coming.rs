@@ -46,11 +46,19 @@ pub enum Reached {
 
 /// Places for parts of an answer that are not there yet, so that nothing moves when they come.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is of its own: a part of the card has its place or not"
+)]
 pub struct Held {
     /// The verdict.
     pub verdict: bool,
+    /// So many ways to do without.
+    pub ways: u32,
     /// So many rows of robots in the table of who pays.
     pub rows: u32,
+    /// The buttons for the other plan.
+    pub other: bool,
     /// The reasons.
     pub reasons: bool,
     /// What would help.
@@ -82,6 +90,32 @@ pub(crate) fn layers(question: &Question) -> Vec<Layer> {
         | Question::Moves { .. }
         | Question::Waits { .. }
         | Question::Rule { .. } => Layer::ALL.to_vec(),
+    }
+}
+
+/// So many ways to do without have a place before small changes were tried.
+const fn ways(question: &Question) -> u32 {
+    match question {
+        Question::Wait { .. } | Question::Yield { .. } => 3,
+        Question::Charge { .. }
+        | Question::NoCharge { .. }
+        | Question::Order { .. }
+        | Question::Slow { .. }
+        | Question::Visit { .. }
+        | Question::NoVisit { .. }
+        | Question::Move { .. }
+        | Question::NoMove { .. }
+        | Question::Arrival { .. }
+        | Question::Length { .. } => 1,
+        Question::Makespan
+        | Question::SumOfCosts
+        | Question::Penalty
+        | Question::Charges { .. }
+        | Question::Moves { .. }
+        | Question::Waits { .. }
+        | Question::Rule { .. }
+        | Question::Unsolvable
+        | Question::Plan => 0,
     }
 }
 
@@ -161,11 +195,18 @@ fn held(asking: &Asking, told: Option<&ExplainAnswer>, card: &Card) -> Held {
         .map_or(0, |pays| pays.robots.len() as u32);
     Held {
         verdict: card.verdict.is_none(),
-        rows: if has(Layer::Near) && waits_for(Part::Verdict) {
+        ways: if has(Layer::Near) && waits_for(Part::Near) {
+            ways(asking.question()).saturating_sub(card.could.len() as u32)
+        } else {
+            0
+        },
+        // What stands does not move until all of it is there.
+        rows: if has(Layer::Near) && (waits_for(Part::Verdict) || card.pays.is_some()) {
             ROWS.saturating_sub(rows)
         } else {
             0
         },
+        other: has(Layer::Near) && waits_for(Part::Verdict) && card.other.is_none(),
         reasons: has(Layer::Reason) && waits_for(Part::Core) && card.cores.is_empty(),
         help: has(Layer::Help) && waits_for(Part::Repairs) && card.repairs.is_empty(),
     }

@@ -1,6 +1,8 @@
 //! What both plans cost: this one and the other one.
 
-use giveway_model::tr;
+use giveway_model::{Cost, Costs, tr};
+
+use crate::{Asking, words};
 
 /// A cost of both plans.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,6 +15,18 @@ pub struct CostRow {
     pub this: u32,
     /// Of the other plan.
     pub other: u32,
+}
+
+/// By how much a plan differs from the one that is asked about, in the first cost of the objective
+/// in which it does: with the unit, and whether it is less. Nothing where there is no plan.
+pub(super) fn first_difference(asking: &Asking, other: &Costs) -> Option<(String, bool)> {
+    let before = asking.about.solved.costs?;
+    let delta = |cost: Cost| i64::from(other.get(cost)) - i64::from(before.get(cost));
+    let costs = asking.objective().costs();
+    let mut deltas = costs.iter().map(|&cost| (cost, delta(cost)));
+    let first = *costs.first()?;
+    let (cost, delta) = deltas.find(|(_, delta)| *delta != 0).unwrap_or((first, 0));
+    Some((words::by(cost, delta), delta < 0))
 }
 
 impl CostRow {

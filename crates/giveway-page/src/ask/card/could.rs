@@ -59,6 +59,24 @@ pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
     rows
 }
 
+/// Which plan is the other one, where a person can choose: a row of these, or the best that is
+/// known.
+pub(super) fn which(asking: &Asking, rows: &[CouldRow]) -> Option<String> {
+    if rows.is_empty() {
+        return None;
+    }
+    let chosen = rows.iter().find(|row| row.is_chosen);
+    let is_proved = asking
+        .told
+        .as_deref()
+        .is_some_and(|told| told.pending.is_empty());
+    Some(match chosen {
+        Some(row) => row.text.clone(),
+        None if is_proved => tr!("another plan" => "the best that was found").to_owned(),
+        None => tr!("another plan" => "the best found so far").to_owned(),
+    })
+}
+
 /// The cells at which the wait costs as little as at the cheapest, each with whether it is the one
 /// that is looked at; the cell closest to the wait of now is the first.
 pub(crate) fn instead(asking: &Asking) -> Vec<(Cell, bool)> {
@@ -140,9 +158,9 @@ fn detail(it: &Variation) -> String {
 fn difference(asking: &Asking, it: &Variation) -> (String, bool) {
     let costs = asking.objective().costs().iter();
     let delta = |cost: &Cost| it.deltas.get(cost).copied().filter(|&delta| delta != 0);
-    match costs.copied().find_map(|cost| delta(&cost)) {
+    match costs.copied().find_map(|cost| Some((cost, delta(&cost)?))) {
         None => (tr!("a cost is the" => "same").to_owned(), false),
-        Some(more) if more > 0 => (tr!("at most +{n}", n = more), true),
-        Some(less) => (format!("\u{2212}{}", less.unsigned_abs()), false),
+        Some((cost, more)) if more > 0 => (tr!("at most {by}", by = words::by(cost, more)), true),
+        Some((cost, less)) => (words::by(cost, less), false),
     }
 }

@@ -1,9 +1,9 @@
 //! Facts in groups, the deciding one first: each opens into its facts.
 
-use giveway_model::{Cost, tr};
-use giveway_solve::explain::{Core, FactGroup, FactGroupKind, Helps};
+pub use giveway_solve::explain::GroupMark;
+use giveway_solve::explain::{Core, FactGroup, group_price_clause};
 
-use crate::{Asking, Lit};
+use crate::{Asking, Lit, words};
 
 /// A group of facts.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,17 +24,6 @@ pub struct GroupRow {
     pub facts: Vec<usize>,
 }
 
-/// What is known of a group.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GroupMark {
-    /// Leaving one of its facts out alone would help.
-    Helps,
-    /// It is needed among the others.
-    Needed,
-    /// It may not be needed.
-    Open,
-}
-
 /// The groups of a set.
 pub(super) fn groups(asking: &Asking, core: &Core) -> Vec<GroupRow> {
     let lit = match asking.lit {
@@ -48,8 +37,8 @@ pub(super) fn groups(asking: &Asking, core: &Core) -> Vec<GroupRow> {
         .map(|(index, group)| GroupRow {
             index,
             number: index + 1,
-            title: group.text.clone(),
-            mark: mark(group),
+            title: words::unnested(&group.text),
+            mark: group.mark(),
             price: price(asking, group),
             is_open: open == Some(index) && !asking.folds_groups,
             facts: group.facts.iter().map(|&fact| fact as usize).collect(),
@@ -63,37 +52,7 @@ pub(crate) fn numbers_groups(asking: &Asking) -> bool {
     core.is_some_and(|core| !core.groups.is_empty())
 }
 
-pub(crate) fn mark(group: &FactGroup) -> GroupMark {
-    match group.helps {
-        Helps::Yes => GroupMark::Helps,
-        Helps::No | Helps::Unknown if group.needed => GroupMark::Needed,
-        Helps::No | Helps::Unknown => GroupMark::Open,
-    }
-}
-
-/// What is left without the best fact of a group, beside the plan that is asked about: the first
-/// cost that differs.
+/// What is left without the best fact of a group, beside the plan that is asked about.
 fn price(asking: &Asking, group: &FactGroup) -> Option<String> {
-    let price = group.price.as_ref()?;
-    let before = asking.about.solved.costs?;
-    let costs = asking.objective().costs().iter().copied();
-    let delta = |cost: Cost| i64::from(price.costs.get(cost)) - i64::from(before.get(cost));
-    let delta = costs.map(delta).find(|&delta| delta != 0).unwrap_or(0);
-    let is_of_one = match group.kind {
-        FactGroupKind::Agent | FactGroupKind::Rule => true,
-        FactGroupKind::Agents
-        | FactGroupKind::Collisions
-        | FactGroupKind::Aisle
-        | FactGroupKind::Shelf
-        | FactGroupKind::Shelves
-        | FactGroupKind::Rules => false,
-    };
-    Some(match (delta, is_of_one) {
-        (0, true) => tr!("without it the same cost").to_owned(),
-        (0, false) => tr!("without one of these the same cost").to_owned(),
-        (n, true) if n > 0 => tr!("without it still {n} more", n),
-        (n, false) if n > 0 => tr!("without one of these still {n} more", n),
-        (n, true) => tr!("without it {n} less", n = n.unsigned_abs()),
-        (n, false) => tr!("without one of these {n} less", n = n.unsigned_abs()),
-    })
+    group_price_clause(group, &asking.about.solved.costs?, asking.objective())
 }

@@ -13,11 +13,12 @@ mod verdict;
 
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
-    Core, ExplainAnswer, edits_in_words, facts_claim, facts_title, helps_mark, witness_title,
+    Core, ExplainAnswer, Fact, Layer, edits_in_words, facts_claim, facts_title, helps_mark,
+    witness_title,
 };
 use giveway_solve::words::reach;
 
-use super::signs::{edit_icon, fact_icon};
+use super::signs::{edit_icon, fact_icon, gives_up};
 use crate::{Asking, Lit, State, beside, words};
 
 pub(crate) use coming::layers;
@@ -25,8 +26,8 @@ pub use coming::{Coming, Held, LayerStep, Reached};
 pub use costs::CostRow;
 pub use could::CouldRow;
 pub(crate) use could::instead;
+pub(crate) use groups::numbers_groups;
 pub use groups::{GroupMark, GroupRow};
-pub(crate) use groups::{mark as group_mark, numbers_groups};
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
 pub use pieces::Piece;
 
@@ -53,6 +54,7 @@ pub fn card(state: &State) -> Option<Card> {
         cores: Vec::new(),
         repairs: Vec::new(),
         more_repairs: None,
+        holds_places: layers(asking.question()).contains(&Layer::Near),
         coming: None,
         standing: None,
     };
@@ -64,27 +66,30 @@ pub fn card(state: &State) -> Option<Card> {
     if let Some(other) = &asking.other {
         card.pays = pays(asking, other);
         card.other = Some(Other {
+            which: could::which(asking, &card.could),
             is_shown: asking.shows_other,
             is_beside: state.view.is_wide,
             is_better: asking.is_bettered(),
         });
     }
     card.witness = witness(asking);
-    card.cores = facts(asking, told);
+    card.cores = facts(state, asking, told);
     let objective = asking.objective();
     let repairs = told.repairs.iter();
     card.repairs = repairs
         .filter(|_| asking.can_be_repaired())
         .map(|repair| Offered {
             icon: repair.edits.first().map_or("check", edit_icon),
+            gives_up: repair.edits.iter().any(gives_up),
             // Its costs stand below it.
             text: if repair.least {
-                edits_in_words(&repair.edits)
+                words::unnested(&edits_in_words(&repair.edits))
             } else {
-                let repair = edits_in_words(&repair.edits);
+                let repair = words::unnested(&edits_in_words(&repair.edits));
                 tr!("{repair}. Perhaps less would do.", repair)
             },
             costs: words::values(objective, &repair.costs),
+            difference: costs::first_difference(asking, &repair.costs),
         })
         .collect();
     card.more_repairs = (told.further_repairs > 0 && !card.repairs.is_empty()).then(|| {
@@ -120,7 +125,7 @@ fn witness(asking: &Asking) -> Vec<(String, Vec<Happening>)> {
 }
 
 /// The sets of facts, the first one first.
-fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
+fn facts(state: &State, asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     let mut index = 0..;
     let sets = told.core.iter().flat_map(Core::sets).enumerate();
     sets.map(|(set, core)| Facts {
@@ -138,8 +143,9 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
             .map(|(fact, index)| FactRow {
                 number: numbers_facts(asking).then_some(index + 1),
                 icon: fact_icon(fact),
-                text: fact.text.clone(),
+                text: words::unnested(&fact.text),
                 time: fact.time,
+                loosens: loosens(state, asking, fact),
                 mark: helps_mark(&told.question, told.verdict, core, fact),
                 index,
                 is_lit: asking.lit == Some(Lit::Fact(index)),
@@ -147,6 +153,14 @@ fn facts(asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
             .collect(),
     })
     .collect()
+}
+
+/// The rule that a fact is, where there is no plan and it can be loosened in the list of rules.
+fn loosens(state: &State, asking: &Asking, fact: &Fact) -> Option<usize> {
+    let is_asked = numbers_facts(asking) && state.can_write_rules() && asking.can_be_repaired();
+    let index = fact.index.filter(|_| is_asked)? as usize;
+    let rule = state.document.draft.scene().constraints.get(index)?;
+    crate::rules::can_loosen(rule).then_some(index)
 }
 
 /// Whether the answer itself offers the next step: another plan, or a repair.

@@ -32,6 +32,8 @@ pub struct Card {
     pub repairs: Vec<Offered>,
     /// How many more would help, in words.
     pub more_repairs: Option<String>,
+    /// Whether it comes in layers: what stands keeps its place.
+    pub holds_places: bool,
     /// How far it has come; nothing where all of it stands and is proved.
     pub coming: Option<Coming>,
     /// What the claim rests on, once the answer is whole.
@@ -82,8 +84,10 @@ pub struct Badge {
 }
 
 /// The other plan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Other {
+    /// Which of those that could be looked at; nothing where there is no choice.
+    pub which: Option<String>,
     /// Whether the board shows it in the place of this one.
     pub is_shown: bool,
     /// Whether it is shown beside this one.
@@ -135,6 +139,8 @@ pub struct FactRow {
     pub index: usize,
     /// When it began, for a breakdown.
     pub time: Option<u32>,
+    /// The rule that it is, by its index in the scene, where that can be loosened there.
+    pub loosens: Option<usize>,
     /// Whether it is lit up.
     pub is_lit: bool,
 }
@@ -144,8 +150,12 @@ pub struct FactRow {
 pub struct Offered {
     /// The icon of its first edit.
     pub icon: &'static str,
+    /// Whether something is given up altogether: a rule, a robot, a waypoint. Else it is loosened.
+    pub gives_up: bool,
     /// What it does.
     pub text: String,
     /// What the plan would cost.
     pub costs: String,
+    /// What it saves or costs more than this plan: `\u{2212}2`; nothing where there is no plan.
+    pub difference: Option<(String, bool)>,
 }

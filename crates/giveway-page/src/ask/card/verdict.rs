@@ -25,11 +25,18 @@ pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> O
     let title = title.or_else(|| is_coming.then(|| tr!("What this plan shows").to_owned()));
     let title = title.unwrap_or_else(|| badge.word.to_owned());
     let sentence = if is_coming {
-        Some(so_far(asking, told))
+        so_far(asking, told)
     } else {
         sentence(asking, told)
     };
-    let sentence = sentence.unwrap_or_else(|| verdict_words(state, asking, told).into_owned());
+    let here = told.here.as_ref().map(|here| here.words.as_str());
+    let sentence = sentence.or_else(|| {
+        let said = verdict_words(state, asking, told);
+        (!said.is_empty()).then(|| words::unnested(&said))
+    });
+    // What the plan shows was said first, and keeps its place.
+    let sentences = here.into_iter().chain(sentence.as_deref());
+    let sentence = sentences.collect::<Vec<_>>().join("\n");
     Some(VerdictPart {
         badge,
         title,
@@ -44,24 +51,43 @@ pub(super) fn is_coming(told: &ExplainAnswer) -> bool {
     told.verdict == Verdict::Unknown && told.pending.contains(&Part::Verdict)
 }
 
-/// What the plan shows, and who is late in the best plan found so far.
-fn so_far(asking: &Asking, told: &ExplainAnswer) -> String {
-    let here = told.here.as_ref().map(|here| here.words.as_str());
-    let late = asking.other.as_ref().and_then(|_| late(told).next());
-    let late = late.map(|late| {
-        tr!(
+/// What the best plan found so far saves, or who is late in it.
+fn so_far(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
+    asking.other.as_ref()?;
+    saved(asking, told).or_else(|| {
+        let late = late(told).next()?;
+        Some(tr!(
             "{name} would arrive at {other} or sooner, not at {arrival}.",
             name = late.agent,
             other = late.other,
             arrival = late.arrival
-        )
-    });
-    match (here, late) {
-        (Some(here), Some(late)) => format!("{here} {late}"),
-        (Some(here), None) => here.to_owned(),
-        (None, Some(late)) => late,
-        (None, None) => told.words.clone(),
-    }
+        ))
+    })
+}
+
+/// What a better plan saves, in both numbers; nothing where the other plan is no better.
+fn saved(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
+    let (cost, _) = first_difference(asking, told, |delta| delta < 0)?;
+    let (this, other) = (asking.about.solved.costs?, told.costs?);
+    let (this, other) = (this.get(cost), other.get(cost));
+    Some(match cost {
+        Cost::Makespan => tr!(
+            "In the other plan all robots are done at {other} instead of {this}.",
+            other,
+            this
+        ),
+        Cost::SumOfCosts | Cost::Penalty => tr!(
+            "In the other plan the {cost} is {other} instead of {this}.",
+            cost = words::name(cost),
+            other,
+            this
+        ),
+        Cost::Charges | Cost::Moves | Cost::Waits => tr!(
+            "The other plan has {other} instead of {this}.",
+            other = words::value(cost, other),
+            this
+        ),
+    })
 }
 
 /// Whether the answer is about a whole plan: then it has words of its own.
@@ -105,9 +131,12 @@ fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
                 Cost::Charges => tr!("It would cost {n} charge" | "It would cost {n} charges" % n),
                 Cost::Moves => tr!("It would cost {n} move" | "It would cost {n} moves" % n),
                 Cost::Penalty => tr!("It would cost a penalty of {n}", n),
-                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
-                    tr!("It would cost {n} step" | "It would cost {n} steps" % n)
+                Cost::Waits => tr!("It would cost {n} wait" | "It would cost {n} waits" % n),
+                Cost::Makespan => {
+                    tr!("{n} step more until all are done"
+                        | "{n} steps more until all are done" % n)
                 }
+                Cost::SumOfCosts => tr!("{n} step more in all" | "{n} steps more in all" % n),
             })
         }
         Verdict::Improvable => {
@@ -116,12 +145,17 @@ fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
                 Cost::Charges => tr!("It would save {n} charge" | "It would save {n} charges" % n),
                 Cost::Moves => tr!("It would save {n} move" | "It would save {n} moves" % n),
                 Cost::Penalty => tr!("It would save a penalty of {n}", n),
-                Cost::Makespan | Cost::SumOfCosts | Cost::Waits => {
-                    tr!("It would save {n} step" | "It would save {n} steps" % n)
+                Cost::Waits => tr!("It would save {n} wait" | "It would save {n} waits" % n),
+                Cost::Makespan => {
+                    tr!("All can be done {n} step sooner" | "All can be done {n} steps sooner" % n)
                 }
+                Cost::SumOfCosts => tr!("{n} step less in all" | "{n} steps less in all" % n),
             })
         }
-        Verdict::Necessary => Some(tr!("No plan does otherwise").to_owned()),
+        Verdict::Necessary if matches!(told.question, Question::Rule { .. }) => {
+            Some(tr!("It cannot be so").to_owned())
+        }
+        Verdict::Necessary => Some(tr!("There is no other way").to_owned()),
         // The other plan is the best one that was found: another may cost less.
         Verdict::Unknown => at_most(asking, told),
     }
@@ -204,9 +238,11 @@ fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
     }
     let clause = clause(asking);
     match told.verdict {
-        Verdict::Needless | Verdict::Improvable | Verdict::Costly | Verdict::Unknown => {
+        // What is not proved is said no harder at the end than on the way.
+        Verdict::Unknown => so_far(asking, told),
+        Verdict::Needless | Verdict::Improvable | Verdict::Costly => {
             asking.other.as_ref()?;
-            who_is_late(told, clause.as_ref())
+            saved(asking, told).or_else(|| who_is_late(told, clause.as_ref()))
         }
         Verdict::Necessary => {
             let does = clause?.does;

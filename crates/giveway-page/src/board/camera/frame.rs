@@ -24,6 +24,27 @@ impl Frame {
         Detail::of(self.cell_px)
     }
 
+    /// The numbers on the axis stand at every so many cells; `None` where it has no room.
+    ///
+    /// ```
+    /// use giveway_page::board::Frame;
+    /// let of = |cell_px: f64, px: f64| Frame { x: 0.0, y: 0.0, width: px * 100.0 / cell_px, height: 1.0, cell_px };
+    /// assert_eq!(of(48.0, 300.0).axis(), Some(1));
+    /// assert_eq!(of(18.0, 800.0).axis(), Some(5));
+    /// assert_eq!(of(2.0, 800.0).axis(), Some(20));
+    /// assert_eq!(of(8.8, 358.0).axis(), None);
+    /// ```
+    pub fn axis(&self) -> Option<u32> {
+        if self.detail() == Detail::All {
+            return Some(1);
+        }
+        if self.width * self.cell_px / CELL < super::AXIS_FROM_PX {
+            return None;
+        }
+        let fits = |every: &u32| f64::from(*every) * self.cell_px >= 24.0;
+        Some([5, 10, 20, 50].into_iter().find(fits).unwrap_or(100))
+    }
+
     /// So many pixels, in units.
     pub fn units(&self, px: f64) -> f64 {
         px * CELL / self.cell_px

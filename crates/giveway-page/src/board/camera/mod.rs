@@ -22,8 +22,12 @@ const FOUND_PX: f64 = 20.0;
 /// The space around the map where the axis stands, in units: left and above,
 /// then right and below.
 const AXIS: (f64, f64) = (34.0, 10.0);
+/// The space of the axis of small cells left and above, in pixels.
+const AXIS_PX: f64 = 20.0;
 /// The space around the map without an axis, in pixels.
 const RIM_PX: f64 = 3.0;
+/// The narrowest screen with room for the axis of small cells, in pixels.
+const AXIS_FROM_PX: f64 = 480.0;
 
 /// What a person looks at: as much as fits, or nearer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +58,17 @@ fn fit_px(board: (u32, u32), screen: (f64, f64), largest: f64) -> f64 {
     if Detail::of(with_axis) == Detail::All {
         return with_axis;
     }
-    // Not so large that the axis would be there after all.
-    least(0.0, 2.0 * RIM_PX).min(47.9)
+    // Not so large that the larger axis would be there after all.
+    least(0.0, rim_px(screen) + RIM_PX).min(47.9)
+}
+
+/// The space left of small cells and above them, in pixels.
+fn rim_px(screen: (f64, f64)) -> f64 {
+    if screen.0 < AXIS_FROM_PX {
+        RIM_PX
+    } else {
+        AXIS_PX
+    }
 }
 
 impl Camera {
@@ -74,7 +87,7 @@ impl Camera {
         let unit = CELL / cell_px;
         let (before, after) = match Detail::of(cell_px) {
             Detail::All => AXIS,
-            _ => (RIM_PX * unit, RIM_PX * unit),
+            _ => (rim_px(screen) * unit, RIM_PX * unit),
         };
         let place = |screen: f64, side: u32, middle: f64| {
             let seen = screen * unit;

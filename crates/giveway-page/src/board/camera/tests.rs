@@ -40,6 +40,19 @@ fn small_cells_have_no_axis() {
 }
 
 #[test]
+fn small_cells_have_an_axis_where_the_screen_is_wide() {
+    let floor = (40, 24);
+    let frame = Camera::default().frame(floor, (900.0, 440.0));
+    near(frame.cell_px, (440.0 - AXIS_PX - RIM_PX) / 24.0);
+    near(frame.y, -frame.units(AXIS_PX));
+    assert_eq!(frame.axis(), Some(5));
+    let phone = Camera::default().frame(floor, (358.0, 240.0));
+    near(phone.y + phone.height / 2.0, 1200.0);
+    near(phone.cell_px, (358.0 - 2.0 * RIM_PX) / 40.0);
+    assert_eq!(phone.axis(), None);
+}
+
+#[test]
 fn an_area_without_size_does_no_harm() {
     let frame = Camera::default().frame((256, 256), (0.0, 0.0));
     assert!(frame.cell_px > 0.0 && frame.x.is_finite());

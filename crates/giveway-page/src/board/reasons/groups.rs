@@ -4,8 +4,9 @@ use giveway_model::Cell;
 use giveway_solve::explain::{ExplainAnswer, FactGroupKind};
 
 use super::super::place_of;
-use super::{Place, Reasons, Spot, SpotSign, apart, corner, middle, would_be};
-use crate::ask::{GroupMark, group_mark};
+use super::super::star::middle;
+use super::{Place, Reasons, Spot, SpotSign, apart, corner, would_be};
+use crate::ask::GroupMark;
 use crate::{Asking, Lit, State};
 
 /// Numbers of the groups of facts; the cells and robots of the one that is lit up.
@@ -36,7 +37,7 @@ pub(super) fn in_groups(
                 number: number + 1,
                 at: apart(&reasons.spots, at),
                 is_lit,
-                sign: match group_mark(group) {
+                sign: match group.mark() {
                     GroupMark::Helps => SpotSign::Helps,
                     GroupMark::Needed | GroupMark::Open => SpotSign::Needed,
                 },

@@ -2,13 +2,12 @@
 
 mod audit;
 mod groups;
+mod numbers;
 
 use giveway_model::Cell;
 use giveway_model::check::Violation;
-use giveway_solve::explain::{Core, Fact, FactKind};
+use giveway_solve::explain::{Core, FactKind};
 
-use super::place::last_cell;
-use super::star::middle;
 use super::{CELL, ConflictPlace};
 use crate::ask::{instead, numbers_facts, numbers_groups};
 use crate::steering::Steering;
@@ -16,6 +15,7 @@ use crate::{Asking, Lit, State};
 
 use audit::in_audit;
 use groups::in_groups;
+use numbers::fact_place;
 
 /// A number on the map: the same as in the list beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -206,10 +206,13 @@ fn would_be<'a>(reasons: &mut Reasons, violations: impl Iterator<Item = &'a Viol
     }
 }
 
-/// The robots that the row or the fact that is lit up is about, by their indices; all others are
-/// faded. `None` where nothing is lit up.
+/// The robots that the row or the fact that is lit up is about, by their indices, or those that
+/// are selected in their table; all others are faded. `None` where nothing is lit up.
 pub fn lit(state: &State) -> Option<Vec<usize>> {
-    let asking = state.document.mode.asking()?;
+    let Some(asking) = state.document.mode.asking() else {
+        let selected = state.rows_selected();
+        return (!selected.is_empty()).then_some(selected);
+    };
     asking.lit?;
     let agents = reasons(state).agents;
     (!agents.is_empty()).then_some(agents)
@@ -231,25 +234,6 @@ fn in_corner(violation: &Violation, at: (f64, f64)) -> (f64, f64) {
     }
 }
 
-/// Where the number of a fact stands: on its obstacle, beside the agent whose task it
-/// is, or beside the place where the best try ends.
-fn fact_place(fact: &Fact, state: &State, tries: &[Try]) -> Option<(f64, f64)> {
-    let agents = state.document.agents();
-    let agent = |name: &String| agents.iter().find(|agent| agent.name == *name);
-    match (fact.kind, fact.cell, fact.agents.as_slice()) {
-        (FactKind::Obstacle, Some(cell), _) => Some(middle(cell)),
-        (_, Some(cell), _) => Some(corner(middle(cell))),
-        (FactKind::Collision, None, _) => tries.first().map(|end| corner(end.at)),
-        (FactKind::Stay, None, [name]) => Some(corner(middle(agent(name)?.goal?))),
-        (FactKind::Breakdown, None, [name]) => {
-            let plan = state.document.mode.asking()?.request.plan.as_ref()?;
-            Some(corner(middle(last_cell(plan, name, fact.time?)?)))
-        }
-        (_, None, [name]) => Some(corner(middle(agent(name)?.start))),
-        _ => None,
-    }
-}
-
 /// Where a violation is, in units.
 fn place(violation: &Violation) -> Option<(f64, f64)> {
     ConflictPlace::of(violation).map(ConflictPlace::middle)
@@ -258,9 +242,12 @@ fn place(violation: &Violation) -> Option<(f64, f64)> {
 /// What is against the rules at the time shown, each place once.
 fn bursts(state: &State) -> Vec<ConflictPlace> {
     let mut bursts = Vec::new();
-    let own = state.document.mode.steering().into_iter();
-    let violations = own.flat_map(|own| &own.violations);
-    for violation in violations {
+    let own = state.document.mode.steering();
+    let led = own.into_iter().flat_map(|own| &own.violations);
+    // A plan that is older than a rule breaks it on the spot, too; one of elsewhere has frames.
+    let is_older = own.is_none() && state.audited().is_none();
+    let older = crate::rules::broken(state).filter(|_| is_older);
+    for violation in led.chain(older) {
         if let Some(at) = ConflictPlace::of(violation)
             && Steering::is_now(violation, state.view.playback.time)
             && !bursts.contains(&at)

@@ -3,11 +3,12 @@
 #[cfg(test)]
 mod tests;
 
-use giveway_model::condition::Times;
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Cell, Constraint};
-pub use giveway_picture::{LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape};
-use giveway_picture::{LitRule, RuledMap, in_force};
+pub use giveway_picture::{
+    KeptShape, LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape,
+};
+use giveway_picture::{LitRule, RuledMap, in_force, kept};
 
 use crate::rules::Lit;
 use crate::steering::Steering;
@@ -18,9 +19,11 @@ pub fn rules_now(state: &State) -> RulesNow {
     let (scene, time) = (state.world().scene(), state.view.playback.time);
     let broken = crate::rules::broken(state).filter(|violation| Steering::is_now(violation, time));
     let broken = broken.filter_map(|violation| Some(violation.broken.as_ref()?.index as usize));
+    let mut broken: Vec<usize> = broken.collect();
+    broken.extend(crate::rules::in_clash(state));
     RulesNow {
         holds: in_force(&scene.constraints, time),
-        broken: broken.collect(),
+        broken,
         stays: stays(state, time),
     }
 }
@@ -31,42 +34,33 @@ fn stays(state: &State, time: u32) -> Vec<(Cell, u32)> {
         return Vec::new();
     };
     let scene = state.world().scene();
-    let rules = scene.constraints.iter().filter(|rule| !rule.off);
-    let made = rules.flat_map(|rule| {
-        let ConstraintKind::Visit { cell, stay, times } = &rule.kind else {
-            return Vec::new();
-        };
-        let names = rule.agents.as_ref();
-        let agents = scene.agents.iter();
-        let bound = agents.filter(|agent| names.is_none_or(|names| names.contains(&agent.name)));
-        let left = |agent: &giveway_model::Agent| {
-            let path = plan.path(&agent.name);
-            let end = first_stay(path, *cell, *stay, *times)? + stay;
-            (time <= end && time + stay >= end).then_some((*cell, end - time))
-        };
-        bound
-            .filter_map(left)
-            .filter(|(_, left)| *left > 0)
-            .collect()
-    });
-    made.collect()
+    let made = giveway_picture::stays(&scene.constraints, &scene.agents, plan).into_iter();
+    made.filter_map(|stay| Some((stay.cell, stay.left_at(time)?)))
+        .collect()
 }
 
-/// When the first stay of so many steps begins at a cell that lies within some times.
-fn first_stay(path: &[Option<Cell>], cell: Cell, stay: u32, times: Times) -> Option<u32> {
-    let mut begun = None;
-    for (at, time) in path.iter().zip(0_u32..) {
-        if *at != Some(cell) || !times.contains(time) {
-            begun = None;
-            continue;
-        }
-        let first = *begun.get_or_insert(time);
-        if time - first >= stay {
-            return Some(first);
-        }
-    }
-    // It rests there: the path ends, the stay goes on.
-    begun.filter(|_| path.last() == Some(&Some(cell)))
+/// The cells that the rule which is looked at, or written, keeps free at the time shown: behind
+/// robots, or around them.
+pub fn kept_free(state: &State) -> Vec<KeptShape> {
+    let scene = state.world().scene();
+    let written = state.view.rules.writing.as_deref();
+    let written = written.filter(|_| state.is_writing_rule());
+    let rule = match (written, state.lit_rule()) {
+        (Some(writing), _) => Some(&writing.rule),
+        (None, Some(Lit::Rule(index))) => scene.constraints.get(*index),
+        (None, Some(Lit::Zone(_)) | None) => None,
+    };
+    let (Some(rule), Some(plan)) = (rule, state.plan()) else {
+        return Vec::new();
+    };
+    let map = (state.world().grid(), scene.agents.as_slice());
+    let time = state.view.playback.time;
+    kept(
+        rule,
+        map,
+        |agent| scene.rules.at_end_of(agent),
+        (plan, time),
+    )
 }
 
 /// Which signs of rules are on the board: zones, limits, closed zones, lanes.

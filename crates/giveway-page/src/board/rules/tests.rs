@@ -2,7 +2,9 @@
 
 use giveway_model::Cell;
 
-use super::{RulesNow, SignKind, first_stay, in_force, rule_shapes};
+use giveway_picture::first_stay;
+
+use super::{RulesNow, SignKind, in_force, rule_shapes};
 use crate::Draft;
 use crate::rules::Lit;
 

@@ -5,7 +5,6 @@ use giveway_solve::Status;
 
 use crate::State;
 use crate::changing::{Choice, Tried, WIDEST};
-use crate::words::change;
 
 /// What can be tried where no method has a plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,15 +40,19 @@ pub fn fixes(state: &State) -> Vec<Fix> {
         };
         fixes.push(Fix::Try(
             all,
-            tr!("Let everyone plan freely (Replan)").to_owned(),
+            tr!("Let everyone plan freely (Everything new)").to_owned(),
         ));
         if choice.tunnel && choice.width < WIDEST {
             let width = choice.width + 1;
             let wider = Choice { width, ..choice };
-            fixes.push(Fix::Try(wider, tr!("Widen the tunnel to {width}", width)));
+            fixes.push(Fix::Try(
+                wider,
+                tr!("Allow {n} cell away from the old paths"
+                    | "Allow {n} cells away from the old paths" % width),
+            ));
         }
     }
     let listed = changing.list.iter().enumerate();
-    fixes.extend(listed.map(|(index, what)| Fix::TakeBack(index, change::sentence(what).0)));
+    fixes.extend(listed.map(|(index, what)| Fix::TakeBack(index, what.sentence().0)));
     fixes
 }

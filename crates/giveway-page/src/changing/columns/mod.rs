@@ -3,9 +3,10 @@
 mod fixes;
 mod notes;
 
-use giveway_model::words::Later;
 use std::rc::Rc;
 
+use giveway_model::change::What;
+use giveway_model::words::{Later, and};
 use giveway_model::{Cost, Costs, tr, tr_later};
 use giveway_solve::change::{Method, MethodAnswer};
 
@@ -20,8 +21,10 @@ use notes::{notes, promise, time};
 /// What one method makes of the change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// The method: `Tunnel 1`.
-    pub title: String,
+    /// Its place among those that answered.
+    pub index: usize,
+    /// The method, and further ones that found the same plan: `Near the old paths`.
+    pub titles: Vec<&'static str>,
     /// What became of the old paths; without a plan, what it promises.
     pub promise: String,
     /// Whether no other method has lower costs.
@@ -58,6 +61,8 @@ pub struct CostChange {
     pub before: Option<u32>,
     /// Of the method's plan.
     pub after: u32,
+    /// Whether both count the same robots: a robot that is gone is no gain.
+    pub counts_all: bool,
 }
 
 impl CostChange {
@@ -74,7 +79,7 @@ impl CostChange {
 /// Agents of which the same became.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
-    /// What: `Re-timed`.
+    /// What: `New times`.
     pub title: &'static str,
     /// Who: index and name.
     pub agents: Vec<(usize, String)>,
@@ -88,7 +93,8 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
         let told = &tried.told;
         let has_plan = tried.answer.is_some();
         Column {
-            title: change::method(tried.method),
+            index,
+            titles: vec![change::method(tried.method)],
             promise: promise(tried),
             is_least: tried.is_least,
             is_chosen: compared.chosen == Some(index),
@@ -106,19 +112,55 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
             } else {
                 Vec::new()
             },
-            notes: notes(tried),
+            notes: notes(tried)
+                .into_iter()
+                .chain(left_out(changing).filter(|_| has_plan))
+                .collect(),
             time: time(told.result.stats.cpu_seconds),
         }
     };
-    Some(compared.tried.iter().enumerate().map(column).collect())
+    let mut columns: Vec<Column> = Vec::new();
+    for (index, tried) in compared.tried.iter().enumerate() {
+        let mut column = column((index, tried));
+        let before = columns.iter_mut().find(|before| {
+            before
+                .answer
+                .as_ref()
+                .is_some_and(|answer| is_same(answer, tried))
+        });
+        if let Some(before) = before {
+            before.titles.append(&mut column.titles);
+            before.is_chosen |= column.is_chosen;
+            continue;
+        }
+        let dear = columns
+            .iter()
+            .find(|before| before.has_plan() && before.costs == column.costs);
+        if let Some(before) = dear.filter(|_| column.has_plan()) {
+            let name = before.titles.first().copied().unwrap_or_default();
+            column
+                .notes
+                .insert(0, tr!("No better: it costs the same as “{name}”.", name));
+        }
+        columns.push(column);
+    }
+    Some(columns)
+}
+
+/// Whether a method found the plan of an answer, too: the same cells, times and charges.
+fn is_same(answer: &Rc<Answer>, tried: &Tried) -> bool {
+    let plans = answer
+        .plan()
+        .zip(tried.answer.as_ref().and_then(|other| other.plan()));
+    plans.is_some_and(|(one, other)| one == other)
 }
 
 /// No two boards on the page have the same name, and each method is tried once.
 const fn board(method: Method) -> Later {
     match method {
-        Method::Revise => tr_later!("Plan by revise"),
-        Method::Tunnel(_) => tr_later!("Plan by tunnel"),
-        Method::Replan => tr_later!("Plan by replan"),
+        Method::Revise => tr_later!("Plan with new times"),
+        Method::Tunnel(_) => tr_later!("Plan near the old paths"),
+        Method::Replan => tr_later!("Plan with everything new"),
     }
 }
 
@@ -137,8 +179,44 @@ fn cost_changes(changing: &Changing, before: Option<Costs>, after: &Costs) -> Ve
             title: title(cost),
             before: before.map(|costs| costs.get(cost)),
             after: after.get(cost),
+            counts_all: gone(changing).is_empty(),
         })
         .collect()
+}
+
+/// The robots that are gone from now on.
+fn gone(changing: &Changing) -> Vec<String> {
+    let gone = changing.list.iter().filter_map(|what| match what {
+        What::RemoveAgent { agent } => Some(agent.clone()),
+        What::AddAgent { .. }
+        | What::AddObstacle { .. }
+        | What::RemoveObstacle { .. }
+        | What::MoveObstacle { .. }
+        | What::SetSlow { .. }
+        | What::SetNormal { .. }
+        | What::AddCharger { .. }
+        | What::RemoveCharger { .. }
+        | What::SetGoal { .. }
+        | What::AddWaypoint { .. }
+        | What::DropWaypoint { .. }
+        | What::SetBattery { .. }
+        | What::DelayAgent { .. }
+        | What::AddConstraint { .. }
+        | What::RemoveConstraint { .. } => None,
+    });
+    gone.collect()
+}
+
+/// That the costs of a plan are those of the robots that are left.
+fn left_out(changing: &Changing) -> Option<String> {
+    let gone = gone(changing);
+    (!gone.is_empty()).then(|| {
+        tr!(
+            "Without {robots}, whose task is not done."
+                | "Without {robots}, whose tasks are not done." % gone.len(),
+            robots = and(&gone)
+        )
+    })
 }
 
 fn groups(changing: &Changing, told: &MethodAnswer) -> Vec<Group> {
@@ -152,9 +230,9 @@ fn groups(changing: &Changing, told: &MethodAnswer) -> Vec<Group> {
             .collect(),
     };
     let mut groups = vec![
-        group(tr!("robots" => "Kept"), &told.kept),
-        group(tr!("robots" => "Re-timed"), &told.retimed),
-        group(tr!("robots" => "Re-routed"), &told.rerouted),
+        group(tr!("robots" => "As before"), &told.kept),
+        group(tr!("robots" => "New times"), &told.retimed),
+        group(tr!("robots" => "New paths"), &told.rerouted),
         group(tr!("robots" => "New"), &told.added),
     ];
     if !told.freed.is_empty() {

@@ -23,10 +23,11 @@ pub(super) fn promise(tried: &Tried) -> String {
 fn held(method: Method, is_on_time: bool) -> String {
     match method {
         Method::Revise if is_on_time => tr!("Same paths, same times").to_owned(),
-        Method::Revise => tr!("Same paths, new times").to_owned(),
+        Method::Revise => tr!("Everyone keeps their path").to_owned(),
         Method::Tunnel(0) => tr!("On the cells of the old paths").to_owned(),
         Method::Tunnel(width) => {
-            tr!("Within {n} step of the old paths" | "Within {n} steps of the old paths" % width)
+            tr!("At most {n} cell away from their path"
+                | "At most {n} cells away from their path" % width)
         }
         Method::Replan => tr!("Everyone plans freely").to_owned(),
     }

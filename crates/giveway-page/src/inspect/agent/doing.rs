@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 
-use crate::timeline::{Lane, Way};
+use crate::timeline::{Lane, Turn, Way};
 use crate::words::at;
 
 /// What an agent does in the step that begins at a time.
@@ -38,12 +38,30 @@ pub(super) fn doing(lane: &Lane, time: u32) -> String {
         _ if step.begins < time => tr!("Half way from {from} to {to}", from, to),
         Way::Move if charges => tr!("Charging at {from}, then to {to}", from, to),
         Way::Slow if charges => tr!("Charging at {from}, then slowly to {to}", from, to),
-        Way::Wait | Way::Broken if charges => tr!("Charging at {from}, and waiting there", from),
+        Way::Wait | Way::Turn(_) | Way::Stay | Way::Broken if charges => {
+            tr!("Charging at {from}, and waiting there", from)
+        }
         Way::Move => tr!("Going from {from} to {to}", from, to),
         Way::Slow => tr!("Going slowly from {from} to {to}", from, to),
         Way::Wait => {
             let until = until(lane, time, step.way);
             tr!("Waiting at {from} until {until}", from, until)
+        }
+        Way::Stay => {
+            let until = until(lane, time, step.way);
+            tr!(
+                "Staying at {from} until {until}, as a rule asks",
+                from,
+                until
+            )
+        }
+        Way::Turn(turn) => {
+            let until = until(lane, time, step.way);
+            match turn {
+                Turn::Left => tr!("Turning left at {from} until {until}", from, until),
+                Turn::Right => tr!("Turning right at {from} until {until}", from, until),
+                Turn::Back => tr!("Turning back at {from} until {until}", from, until),
+            }
         }
         Way::Broken => {
             let until = until(lane, time, step.way);

@@ -16,7 +16,8 @@ use crate::{Answer, Size, State, planners};
 pub use costs::CostFacts;
 
 use costs::costs;
-use words::{claim, contents};
+pub(crate) use words::claim;
+use words::contents;
 
 /// What the inspector tells where nothing is selected.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +39,7 @@ pub fn whole(state: &State) -> Whole {
     let scene = state.document.draft.scene();
     let mut whole = Whole {
         title: if scene.name.is_empty() {
-            tr!("Scene without a name").to_owned()
+            tr!("Untitled").to_owned()
         } else {
             scene.name.clone()
         },

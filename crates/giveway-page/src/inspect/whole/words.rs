@@ -7,20 +7,18 @@ use crate::{Answer, Draft};
 
 /// What is claimed, and how far it reaches; `None` where no search said anything of the plan,
 /// and there is a reason for that.
-pub(super) fn claim(answer: &Answer) -> Option<String> {
+pub(crate) fn claim(answer: &Answer) -> Option<String> {
     let solved = &answer.solved;
     if let (Some(course), Status::Optimal) = (&answer.course, solved.status) {
         let at = answer.changed_last().unwrap_or(0);
-        let step = course.steps.last().and_then(|step| step.method);
-        return Some(match step {
-            Some(method) => {
-                let method = crate::words::change::method_in_words(method);
-                tr!(
-                    "No way to go on from time {at} by {method} is better.",
-                    at,
-                    method
-                )
-            }
+        let step = course.steps.last();
+        let method = step.and_then(crate::words::change::methods_in_words);
+        return Some(match method {
+            Some(method) => tr!(
+                "No way to go on from time {at} with {method} is better.",
+                at,
+                method
+            ),
             None => tr!("No way to go on from time {at} is better.", at),
         });
     }

@@ -14,19 +14,34 @@ pub(in crate::link) fn write_steps(steps: &[Adopted]) -> String {
         Cost::USUAL.map(|cost| costs.map_or(0, |c| c.get(cost).saturating_add(1)))
     };
     let one = |step: &Adopted| {
-        let method = match step.method {
-            None => 0,
-            Some(Method::Revise) => 1,
-            Some(Method::Replan) => 2,
-            Some(Method::Tunnel(width)) => width.saturating_add(3),
-        };
-        let mut parts = vec![method];
+        let mut parts = vec![number(step.method)];
         parts.extend(costs(step.before));
         parts.extend(costs(step.after));
+        // Those of a plan that one method alone found are left out.
+        let also = step.also.into_iter().flatten();
+        parts.extend(also.map(|method| number(Some(method))));
         let parts: Vec<String> = parts.iter().map(ToString::to_string).collect();
         parts.join(".")
     };
     steps.iter().map(one).collect::<Vec<_>>().join(";")
+}
+
+fn number(method: Option<Method>) -> u32 {
+    match method {
+        None => 0,
+        Some(Method::Revise) => 1,
+        Some(Method::Replan) => 2,
+        Some(Method::Tunnel(width)) => width.saturating_add(3),
+    }
+}
+
+const fn method(number: u32) -> Option<Method> {
+    match number {
+        0 => None,
+        1 => Some(Method::Revise),
+        2 => Some(Method::Replan),
+        width => Some(Method::Tunnel(width - 3)),
+    }
 }
 
 /// What was adopted at each time of the changes, as far as a text tells it.
@@ -39,6 +54,7 @@ pub(in crate::link) fn read_steps(text: &str, changes: &Changes) -> Vec<Adopted>
             Adopted {
                 at,
                 method: None,
+                also: [None; 2],
                 before: None,
                 after: None,
             },
@@ -50,20 +66,18 @@ pub(in crate::link) fn read_steps(text: &str, changes: &Changes) -> Vec<Adopted>
 
 fn read_step(text: &str) -> Option<Adopted> {
     let numbers = numbers(text)?;
-    let [method, rest @ ..] = &numbers[..] else {
+    let [first, rest @ ..] = &numbers[..] else {
         return None;
     };
-    let (before, after) = rest.split_first_chunk::<5>()?;
+    let (before, rest) = rest.split_first_chunk::<5>()?;
+    let (after, also) = rest.split_first_chunk::<5>()?;
+    let also = |place: usize| also.get(place).copied().and_then(method);
     Some(Adopted {
         at: 0,
-        method: match method {
-            0 => None,
-            1 => Some(Method::Revise),
-            2 => Some(Method::Replan),
-            width => Some(Method::Tunnel(width - 3)),
-        },
+        method: method(*first),
+        also: [also(0), also(1)],
         before: costs(before),
-        after: costs(after.first_chunk::<5>()?),
+        after: costs(after),
     })
 }
 

@@ -23,6 +23,7 @@ use crate::{
 
 pub(super) use admit::admit;
 
+#[inline(never)]
 pub(super) fn lesson(state: &mut State, action: LessonAction) {
     match action {
         LessonAction::Says(message) => says(state, *message),

@@ -39,6 +39,7 @@ impl Solving {
             | Progress::Freedom { .. }
             | Progress::Priced { .. }
             | Progress::Delays { .. }
+            | Progress::Sized { .. }
             | Progress::Certifying { .. }
             | Progress::Exporting { .. } => {}
         }

@@ -5,7 +5,7 @@ mod begin;
 mod known;
 mod preview;
 
-use super::{ask, fleet, inside, planners, proof};
+use super::{area, ask, fleet, floor_plan, grow, inside, planners, proof};
 use crate::{Document, SolveAction, State, Task};
 
 pub(super) use answered::{answered, front};
@@ -23,6 +23,9 @@ pub(super) fn solve(state: &mut State, action: &SolveAction) {
         SolveAction::Begin => start(state, Start::quiet()),
         SolveAction::Solve => {
             fleet::settle(state);
+            floor_plan::settle(state);
+            area::keep(state);
+            grow::keep(state);
             start(state, Start::step());
         }
         SolveAction::Plan(planner) => start(state, Start::by(planner)),
@@ -72,6 +75,8 @@ pub(super) fn cancel(state: &mut State) {
             | Task::Export(_)
             | Task::Change(_)
             | Task::Freedom(_)
+            | Task::Sizing(_)
+            | Task::Order(_)
             | Task::Price(..),
         )
         | None => {}

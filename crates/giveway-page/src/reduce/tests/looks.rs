@@ -3,7 +3,9 @@
 use super::{after, stroke};
 use crate::board::Cast;
 use crate::tests::adopted;
-use crate::{Action, Edit, Looks, State, Tool, link, sample};
+use crate::{
+    Action, Edit, FileAction, Fold, Looks, SolveAction, State, Tool, ViewAction, link, sample,
+};
 
 /// The names of the robots on the board, with their looks.
 fn looks(state: &State) -> Vec<(String, usize)> {
@@ -54,6 +56,25 @@ fn links_and_kept_pages_have_the_looks() {
     assert_eq!(looks(&kept), [pair("A2", 1)]);
     // Without any other word they are in their order.
     assert!(!link::write(&sample::solved()).contains("looks="));
+}
+
+#[test]
+fn a_part_of_the_inspector_stays_unfolded_until_it_is_folded_or_another_scene_opens() {
+    let state = sample::solved();
+    assert_eq!(state.view.folds.of(Fold::Scene), None);
+    let unfold = |fold, on| Action::View(ViewAction::Unfold(fold, on));
+    let open = after(&state, [unfold(Fold::Scene, true)]);
+    let edited = after(
+        &open,
+        [Action::Edit(Edit::Clear), Action::Solve(SolveAction::Solve)],
+    );
+    assert_eq!(edited.view.folds.of(Fold::Scene), Some(true));
+    assert_eq!(edited.view.folds.of(Fold::Robot), None);
+    let folded = after(&edited, [unfold(Fold::Scene, false)]);
+    assert_eq!(folded.view.folds.of(Fold::Scene), Some(false));
+    let scene = sample::draft().scene().clone();
+    let other = after(&open, [Action::File(FileAction::Open(Box::new(scene)))]);
+    assert_eq!(other.view.folds.of(Fold::Scene), None);
 }
 
 #[test]

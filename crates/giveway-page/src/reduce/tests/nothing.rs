@@ -67,8 +67,12 @@ fn an_eraser_and_a_key_that_find_nothing_say_so() {
         by: (1, 0),
         carries: true,
     };
-    let cursor = Action::Board(BoardAction::MoveCursor(Cell { x, y }));
-    let moved = after(&state, [cursor, Action::Board(carries)]);
+    let cursor = || Action::Board(BoardAction::MoveCursor(Cell { x, y }));
+    let framed = after(&state, [cursor(), Action::Board(carries.clone())]);
+    assert!(framed.has_area(), "a part of the floor is framed");
+    // While the world changes no part of the floor is selected.
+    let changing = after(&state, [Action::Change(ChangeAction::Begin)]);
+    let moved = after(&changing, [cursor(), Action::Board(carries)]);
     let says = format!("There is nothing to move at ({x}, {y}).");
     assert_eq!(notice(&moved).as_deref(), Some(says.as_str()));
     assert_eq!(moved.view.cursor, Cell::new(x + 1, y));

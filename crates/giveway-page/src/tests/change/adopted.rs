@@ -23,7 +23,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     assert_eq!(past[1].text, "A3 joins at (2, 2)");
     assert_eq!(
         past[1].detail.as_deref(),
-        Some("replan: makespan 4, sum of costs 12")
+        Some("“New times”, “Near the old paths” and “Everything new”: makespan 4, sum of costs 12")
     );
     let names: Vec<String> = lanes(answer, &answer.draft)
         .into_iter()
@@ -31,7 +31,7 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
         .collect();
     assert_eq!(names, ["A1", "A2", "A3"]);
     assert!(lanes(answer, &answer.draft)[2].begins == 1);
-    assert!(saying(&state).contains("went on by replan: makespan 4"));
+    assert!(saying(&state).contains("and “Everything new”: makespan 4"));
     // Before it joins it is not there.
     assert!(state.is_there(2));
     let before = after(&state, [seek(0)]);
@@ -43,6 +43,29 @@ fn the_adopted_plan_has_its_history_and_undo_takes_it_back() {
     assert_eq!(undone.phase(), Phase::Comparing);
     let redone = after(&undone, [Action::Redo]);
     assert_eq!(redone.document.answer, state.document.answer);
+}
+
+#[test]
+fn all_methods_that_found_the_adopted_plan_are_named() {
+    // A robot breaks down where nobody comes: all go on as they were.
+    let state = after(&running(), [Action::Change(ChangeAction::BreakDown(1))]);
+    let compared = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
+    let columns = columns(&compared).unwrap();
+    let shared = columns.iter().find(|column| column.titles.len() > 1);
+    let shared = shared.expect("several methods find one plan");
+    let adopted = after(
+        &compared,
+        [Action::Change(ChangeAction::Adopt(shared.index))],
+    );
+    let told = history(adopted.document.fresh_answer().unwrap());
+    let detail = told[1].detail.clone().unwrap();
+    for title in &shared.titles {
+        assert!(saying(&adopted).contains(title), "{}", saying(&adopted));
+        assert!(detail.contains(title), "{detail}");
+    }
+    // The browser keeps it.
+    let kept = crate::link::kept(&crate::link::keep(&adopted)).unwrap();
+    assert_eq!(saying(&kept), saying(&adopted));
 }
 
 #[test]
@@ -65,7 +88,8 @@ fn the_world_changes_again_later_and_not_before() {
         [Action::Edit(joins), Action::Change(ChangeAction::Adapt)],
     ));
     let columns = columns(&state).unwrap();
-    assert!(columns[2].costs[0].after <= columns[0].costs[0].after);
+    let free = columns.last().unwrap();
+    assert!(free.costs[0].after <= columns[0].costs[0].after);
     let state = after(&state, [Action::Change(ChangeAction::Adopt(2))]);
     let course = state
         .document

@@ -6,6 +6,7 @@ use giveway_model::change::What;
 use super::{changing, joined, list, running};
 use crate::changing::facts;
 use crate::reduce::tests::{after, stroke};
+use crate::rules::RuleAction;
 use crate::tests::{saying, seek, select};
 use crate::{
     Action, BoardAction, ChangeAction, Draft, Edit, Phase, PlayAction, Selection, State, Tool,
@@ -125,6 +126,42 @@ fn each_change_is_one_step_of_undo_and_can_be_taken_back() {
     assert!(after(&undone, all).document.mode.changing().is_none());
 }
 
+/// Undo says what it did: the list may be out of sight, behind a robot or a rule.
+#[test]
+fn undo_says_which_change_it_takes_back() {
+    let state = after(&joined(), stroke(Tool::Obstacle, &[(0, 2)]));
+    let told = |state: &State| state.view.notice.as_ref().map(crate::Notice::sentence);
+    let undone = after(&state, [Action::Undo]);
+    assert_eq!(told(&undone).unwrap(), "Undone: New obstacle at (0, 2).");
+    let redone = after(&undone, [Action::Redo]);
+    assert_eq!(
+        told(&redone).unwrap(),
+        "Listed again: New obstacle at (0, 2)."
+    );
+
+    // The card of a rule does not hide the step.
+    let writing = after(&state, [Action::Rules(RuleAction::Begin)]);
+    assert!(writing.is_writing_rule());
+    let undone = after(&writing, [Action::Undo]);
+    assert!(!undone.is_writing_rule());
+    assert_eq!(list(&undone), ["A3 joins at (2, 2)"]);
+
+    let compared = after(&super::compared(), [Action::Undo]);
+    assert_eq!(
+        told(&compared).unwrap(),
+        "The new plans were put aside. What changes is still listed."
+    );
+    let left = after(&changing(), [Action::Undo]);
+    assert!(left.document.mode.changing().is_none());
+    assert_eq!(
+        told(&left).unwrap(),
+        "The world does not change any more: that was undone."
+    );
+    // Elsewhere what is undone is seen.
+    let edited = after(&running(), stroke(Tool::Obstacle, &[(0, 2)]));
+    assert_eq!(told(&after(&edited, [Action::Undo])), None);
+}
+
 #[test]
 fn an_agent_that_has_its_cell_taken_back_loses_what_is_its_own() {
     let state = after(&joined(), stroke(Tool::Waypoint, &[(0, 1)]));
@@ -147,8 +184,8 @@ fn an_agent_that_has_its_cell_taken_back_loses_what_is_its_own() {
 #[test]
 fn a_change_that_another_needs_takes_it_along() {
     let state = after(&changing(), stroke(Tool::Erase, &[(1, 0)]));
-    let state = after(&state, stroke(Tool::Obstacle, &[(1, 0)]));
-    assert_eq!(list(&state), ["A1 is removed", "New obstacle at (1, 0)"]);
+    let state = after(&state, stroke(Tool::Agent, &[(1, 0), (1, 1)]));
+    assert_eq!(list(&state), ["A1 is removed", "A3 joins at (1, 0)"]);
     let state = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&state), Vec::<String>::new());
     assert!(state.view.notice.is_some());

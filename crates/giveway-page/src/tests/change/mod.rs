@@ -2,9 +2,11 @@
 
 mod adopted;
 mod breakdown;
+mod for_good;
 mod goes_on;
 mod list;
 mod methods;
+mod sentence;
 mod stuck;
 
 use giveway_model::Costs;

@@ -1,6 +1,7 @@
 //! How the plan was found, looked into: opened, stepped through, and asked about.
 
 mod closer;
+mod crowds;
 mod orders;
 mod proof;
 mod tree;
@@ -66,6 +67,23 @@ fn it_opens_in_the_place_of_the_lanes_and_closes() {
     let closed = inside(&open, [InsideAction::Show(false)]);
     assert!(!closed.is_inside() && column(&closed).is_none());
     assert!(legend(&closed, &overlay(&closed)).is_none());
+}
+
+#[test]
+fn leaving_it_shows_the_time_that_was_shown_before() {
+    let state = after(&solved(&crossing()), [Action::Play(PlayAction::Seek(2))]);
+    for method in Method::ALL {
+        let open = settled(&inside(&state, [InsideAction::By(method)]));
+        let looked = inside(&open, [InsideAction::Last, InsideAction::Back]);
+        let closed = inside(&looked, [InsideAction::Show(false)]);
+        assert_eq!(closed.view.playback.time, 2, "{method:?}");
+        let again = inside(&closed, [InsideAction::Show(false)]);
+        assert_eq!(again.view.playback.time, 2, "it is left once");
+    }
+    let open = inside(&state, [InsideAction::Show(true)]);
+    let other = inside(&open, [InsideAction::By(Method::Tree)]);
+    let presented = after(&settled(&other), [crate::present::BEGIN]);
+    assert_eq!(presented.view.playback.time, 2);
 }
 
 #[test]

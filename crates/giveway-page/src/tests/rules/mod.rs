@@ -1,10 +1,15 @@
 //! Rules on the page: marked, written, judged, added, priced, and taken back.
 
 mod change;
+mod clash;
+mod faces;
+mod loosen;
 mod lost;
 mod marks;
+mod outdated;
 mod slots;
 mod times;
+mod twins;
 mod why;
 
 use giveway_model::condition::Times;
@@ -33,11 +38,11 @@ fn act(action: RuleAction) -> Action {
     Action::Rules(action)
 }
 
-fn solved(state: &State) -> State {
+pub(super) fn solved(state: &State) -> State {
     answered(&after(state, [Action::Solve(SolveAction::Solve)]))
 }
 
-fn fresh() -> State {
+pub(super) fn fresh() -> State {
     State::new(Draft::new(scene()).unwrap())
 }
 
@@ -183,6 +188,10 @@ fn a_rule_is_edited_in_place_and_read_from_words() {
         shown.misread.is_some() && shown.icon == "closed",
         "{shown:?}"
     );
+    assert_eq!(shown.words, "no robots at all", "what was typed stays");
+    let words = RuleAction::Read("at most 2 robots in zone 1 from 3 to 6".into());
+    let unquoted = card(&after(&wrong, [act(words)])).unwrap();
+    assert_eq!((unquoted.misread, unquoted.icon), (None, "capacity"));
     let put = after(&read, [act(RuleAction::Add)]);
     let rules = &put.document.draft.scene().constraints;
     assert_eq!((rules.len(), rules[1].kind_name()), (2, "closed"));

@@ -107,20 +107,20 @@ fn each_kind_is_a_sentence_with_slots() {
         [
             "At most [1] of [all robots] in [aisle 1] from [3] to [5]",
             "At most [2] of [all robots] in [aisle 1] [always]",
-            "None of [all robots] in [aisle 1] from [3] to [5]",
+            "[No robot] in [aisle 1] from [3] to [5]",
             "One way from (2, 2) to (2, 3) for [all robots]",
-            "Each cell stays free for [1] step behind any of [all robots]",
+            "Each cell stays free for [1] step behind [any robot]",
             "[All robots] keep [2] apart from [3] to [5]",
             "[A1] goes to [(2, 2)], then to [(9, 9)]",
-            "Each of [all robots] stays [2] steps at [(2, 2)] from [3] to [5]",
-            "Each of [all robots] is at [(2, 2)] once [without staying] [always]",
-            "Each of [all robots] arrives by [5], not before [3]",
-            "Each step after [12] until each of [all robots] arrives costs [2]",
-            "Each of [all robots] starts from [5] on",
+            "[Each robot] stays [2] steps at [(2, 2)] from [3] to [5]",
+            "[Each robot] is at [(2, 2)] once [without staying] [always]",
+            "[Each robot] arrives by [5], not before [3]",
+            "Each step after [12] until [each robot] arrives costs [2]",
+            "[Each robot] starts from [5] on",
             "[A1] is at [(2, 2)] before [A2] is at [(2, 2)]",
-            "None of [all robots] waits in [aisle 1] [at all]",
-            "None of [all robots] waits more than [2] steps on end in [aisle 1]",
-            "Each of [all robots] needs [1] step for each quarter turn",
+            "[No robot] waits in [aisle 1] [at all]",
+            "[No robot] waits more than [2] steps on end in [aisle 1]",
+            "[Each robot] needs [1] step for each quarter turn",
             "Each step of [all robots] in [aisle 1] costs [3]",
         ]
     );
@@ -182,4 +182,24 @@ fn each_slot_can_be_opened_and_filled() {
             );
         }
     }
+}
+
+#[test]
+fn times_that_end_before_they_begin_are_told_plainly() {
+    let state = after(&marked(), [act(RuleAction::OfZone("zone 1".to_owned()))]);
+    let times = Times {
+        from: Some(10),
+        to: Some(4),
+    };
+    let closed = rule(ConstraintKind::Closed {
+        zone: "zone 1".to_owned(),
+        times,
+    });
+    let state = after(&state, [act(RuleAction::Write(closed))]);
+    let judged = card(&state).unwrap().judged;
+    assert_eq!(judged.title, "This rule cannot be");
+    assert_eq!(
+        judged.details,
+        ["It would end at time 4, before it begins at time 10."]
+    );
 }

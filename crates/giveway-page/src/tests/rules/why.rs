@@ -4,7 +4,7 @@ use giveway_model::Question;
 
 use super::{act, fresh, marked, solved};
 use crate::reduce::tests::after;
-use crate::rules::{RuleAction, Slot, Value, card, list, waits_for};
+use crate::rules::{RuleAction, card, list, waits_for};
 
 use crate::tests::answered;
 use crate::timeline::Way;
@@ -106,27 +106,6 @@ fn the_plan_without_a_rule_stands_beside() {
     assert!(away.beside().is_none());
     let edited = after(&both, [act(RuleAction::Switch(0))]);
     assert!(edited.beside().is_none());
-}
-
-#[test]
-fn a_rule_is_loosened_at_its_number_or_its_times() {
-    let state = ruled();
-    let loose = after(&state, [act(RuleAction::Loosen(1))]);
-    let shown = card(&loose).unwrap();
-    assert_eq!(shown.open.unwrap().0, Slot::Number(0));
-    let two = after(
-        &loose,
-        [
-            act(RuleAction::Fill(Value::Number(0, 2))),
-            act(RuleAction::Add),
-        ],
-    );
-    assert_eq!(
-        two.document.draft.scene().constraints[1].sentence(),
-        "At most 2 robots in 'zone 1'"
-    );
-    let rows = list(&state).unwrap().rows;
-    assert_eq!([rows[0].can_loosen, rows[1].can_loosen], [false, true]);
 }
 
 #[test]

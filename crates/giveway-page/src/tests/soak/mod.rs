@@ -2,6 +2,8 @@
 //! what cannot be together never is.
 
 mod elsewhere;
+mod floor;
+mod passing;
 mod random;
 
 use giveway_model::Question;
@@ -10,7 +12,7 @@ use super::answered;
 use crate::reduce::tests::after;
 use crate::{
     Action, Activity, AskAction, Draft, Edit, SolveAction, State, ask, board, changing, freedom,
-    inside, inspect, ledger, link, planners, reduce, rules, steering, table, words,
+    inside, inspect, ledger, link, order, planners, reduce, rules, steering, table, words,
 };
 
 /// How many actions in all.
@@ -106,6 +108,12 @@ fn show(state: &State) {
         ledger::legend(state),
         ledger::notes(state),
     );
+    let _ = (
+        order::column(state),
+        order::strip(state),
+        order::notes(state),
+    );
+    let _ = (order::lane_order(state), order::lanes(state));
     let _ = (freedom::lines(state), freedom::numbers(state));
     let _ = (rules::card(state), rules::list(state));
     let _ = board::Cast::of(state);

@@ -6,7 +6,6 @@ use giveway_solve::plan::Planner;
 use super::Session;
 use crate::draw::Shape;
 use crate::find::FindAction;
-use crate::fleet::FleetAction;
 use crate::freedom::FreedomAction;
 use crate::inside::{InsideAction, Method};
 use crate::ledger::{LedgerAction, LedgerLit};
@@ -22,13 +21,14 @@ impl Session {
     pub(super) fn cell(&mut self) -> Cell {
         let grid = self.state.document.draft.grid();
         // At times off the map.
-        let (width, height) = (grid.width() + 1, grid.height() + 1);
-        Cell::new(self.rng.u32(0..width), self.rng.u32(0..height))
+        Cell::new(
+            self.rng.u32(..=grid.width()),
+            self.rng.u32(..=grid.height()),
+        )
     }
 
     fn agent(&mut self) -> usize {
-        let count = self.state.world().agents().len();
-        self.rng.usize(0..count + 2)
+        self.rng.usize(0..self.state.world().agents().len() + 2)
     }
 
     pub(super) fn next(&mut self) -> Vec<Action> {
@@ -46,9 +46,12 @@ impl Session {
             93..95 => self.look(),
             95..97 => vec![Action::Inside(self.inside())],
             97 => self.dropped(),
+            98 if self.rng.bool() => vec![Action::Area(self.area())],
+            98 if self.rng.bool() => self.grow(),
             98 if self.rng.bool() => self.find(),
             98 if self.rng.bool() => vec![Action::Freedom(self.freedom())],
-            98 => vec![Action::Ledger(self.ledger())],
+            98 if self.rng.bool() => vec![Action::Ledger(self.ledger())],
+            98 => vec![Action::Order(self.order())],
             _ => vec![self.file()],
         }
     }
@@ -106,19 +109,6 @@ impl Session {
     }
 
     /// What is said of several robots, whether or not rows of them were drawn.
-    fn fleet(&mut self) -> FleetAction {
-        match self.rng.u8(0..8) {
-            0 => FleetAction::Count(self.rng.bool().then(|| self.rng.u32(0..9))),
-            1 => FleetAction::Back(self.rng.bool()),
-            2 => FleetAction::Waypoints(self.rng.u32(0..4)),
-            3 => FleetAction::DrawAgain,
-            4 => FleetAction::Battery(self.rng.bool().then(|| self.rng.u32(1..30))),
-            5 => FleetAction::Level(self.rng.u32(0..30)),
-            6 => FleetAction::Add,
-            _ => FleetAction::Cancel,
-        }
-    }
-
     fn edit(&mut self) -> Edit {
         let (agent, cell) = (self.agent(), self.cell());
         match self.rng.u8(0..14) {
@@ -278,9 +268,13 @@ impl Session {
             FindAction::Open,
             FindAction::Type(part.to_owned()),
             FindAction::Step {
-                down: self.rng.bool(),
+                on: self.rng.bool(),
             },
-            FindAction::Take(self.rng.bool().then(|| self.rng.usize(0..3))),
+            if self.rng.bool() {
+                FindAction::Close
+            } else {
+                FindAction::Step { on: true }
+            },
         ];
         actions.map(Action::Find).to_vec()
     }

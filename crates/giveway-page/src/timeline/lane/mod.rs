@@ -1,12 +1,16 @@
 //! One agent's plan, step by step.
 
 mod sentence;
+mod stays;
 #[cfg(test)]
 mod tests;
+mod turns;
 
 use giveway_model::{AtGoal, Cell};
 
 use crate::Answer;
+
+pub use turns::Turn;
 
 /// How an agent spends a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +21,10 @@ pub enum Way {
     Slow,
     /// A wait.
     Wait,
+    /// A wait in which it turns, under a rule about that.
+    Turn(Turn),
+    /// A wait that is part of a stay that a rule asks for.
+    Stay,
     /// A wait of an agent that is broken down.
     Broken,
 }
@@ -26,7 +34,7 @@ impl Way {
     pub fn stays(self) -> bool {
         match self {
             Self::Move | Self::Slow => false,
-            Self::Wait | Self::Broken => true,
+            Self::Wait | Self::Turn(_) | Self::Stay | Self::Broken => true,
         }
     }
 }
@@ -114,6 +122,9 @@ impl Lane {
             });
             (begin, from) = (end, to);
         }
+        let rules = &answer.draft.scene().constraints;
+        turns::mark(&mut steps, rules, who);
+        stays::mark(&mut steps, rules, who, path);
         let arrives = answer.arrivals.get(agent).copied().flatten().is_some();
         let levels = answer.levels.get(agent).map_or(&[][..], Vec::as_slice);
         Some(Self {
@@ -168,7 +179,13 @@ impl Lane {
         self.steps.iter().filter(|step| step.way == way).count()
     }
 
-    /// The waits, broken down or not.
+    /// The waits in which it turns.
+    pub fn turns(&self) -> usize {
+        let turns = |step: &&Step| matches!(step.way, Way::Turn(_));
+        self.steps.iter().filter(turns).count()
+    }
+
+    /// The waits, broken down, turning or not.
     pub fn waits(&self) -> usize {
         self.steps.iter().filter(|step| step.way.stays()).count()
     }

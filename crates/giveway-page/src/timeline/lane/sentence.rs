@@ -16,6 +16,14 @@ impl Lane {
             0 => {}
             waits => parts.push(tr!("{n} wait" | "{n} waits" % waits)),
         }
+        match self.turns() {
+            0 => {}
+            turns => parts.push(tr!("{turns} of them to turn", turns)),
+        }
+        match self.count(Way::Stay) {
+            0 => {}
+            stays => parts.push(tr!("{stays} of them for a stay", stays)),
+        }
         match self.count(Way::Broken) {
             0 => {}
             broken => parts.push(tr!("{broken} of them broken down", broken)),

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::{Axis, Lane, Row, Step, Way};
-use path::px;
+use path::{arrow, clock, px};
 pub(crate) use path::{rounded, stripes};
 
 /// What is drawn of a lane; an empty path draws nothing.
@@ -24,6 +24,10 @@ pub struct Shapes {
     pub waits: String,
     /// The pause on each wait, stroked.
     pub pauses: String,
+    /// The arrow on each wait in which it turns, stroked.
+    pub turns: String,
+    /// The clock on each wait that a rule asks for, stroked.
+    pub clocks: String,
     /// The waits of an agent that is broken down, outlined.
     pub broken: String,
     /// The cross on each of them, stroked.
@@ -44,13 +48,28 @@ pub struct Shapes {
     pub entry: Option<f64>,
 }
 
+/// The steps as they are drawn: where columns are narrow, steps of one kind that follow each other
+/// are one.
+fn joined<'a>(steps: impl Iterator<Item = &'a Step>, axis: Axis) -> Vec<Step> {
+    let mut joined: Vec<Step> = Vec::new();
+    for step in steps {
+        match joined.last_mut() {
+            Some(last) if axis.is_narrow() && last.way == step.way && last.ends == step.begins => {
+                (last.ends, last.to) = (step.ends, step.to);
+            }
+            _ => joined.push(*step),
+        }
+    }
+    joined
+}
+
 impl Shapes {
     /// The shapes of a lane at the columns that are drawn.
     pub fn of(lane: &Lane, axis: Axis, row: Row, seen: &Range<u32>) -> Self {
         let mut shapes = Self::default();
         let drawn = |step: &&Step| step.ends >= seen.start && step.begins < seen.end;
-        for step in lane.steps.iter().filter(drawn) {
-            shapes.add(step, axis, row);
+        for step in joined(lane.steps.iter().filter(drawn), axis) {
+            shapes.add(&step, axis, row);
         }
         let is_seen = |time: &u32| seen.contains(time);
         let x = |time: u32| axis.x(f64::from(time));
@@ -76,21 +95,29 @@ impl Shapes {
         const BEYOND: f64 = 2.5;
         let mut frames = String::new();
         let drawn = |step: &&Step| step.ends >= seen.start && step.begins < seen.end;
-        for step in lane.steps.iter().filter(drawn) {
-            if other.differs_from(step) {
-                let left = axis.x(f64::from(step.begins)) + 1.0 - BEYOND;
-                let width = axis.x(f64::from(step.ends)) - 1.0 + BEYOND - left;
-                let (top, tall) = (row.bar - 4.0, row.thick + 8.0);
-                rounded(&mut frames, left, top, width, tall, 5.0);
-            }
+        let differs = |step: &&Step| drawn(step) && other.differs_from(step);
+        // Whatever a step is: frames of neighbours are one where they have no room.
+        let way = Way::Move;
+        let differing = lane
+            .steps
+            .iter()
+            .filter(differs)
+            .map(|step| Step { way, ..*step });
+        let differing: Vec<Step> = differing.collect();
+        for step in joined(differing.iter(), axis) {
+            let left = axis.x(f64::from(step.begins)) + 1.0 - BEYOND;
+            let width = axis.x(f64::from(step.ends)) - 1.0 + BEYOND - left;
+            let (top, tall) = (row.bar - 4.0, row.thick + 8.0);
+            rounded(&mut frames, left, top, width, tall, 5.0);
         }
         frames
     }
 
     fn add(&mut self, step: &Step, axis: Axis, row: Row) {
-        // A pixel at each end parts a bar from the next.
-        let left = axis.x(f64::from(step.begins)) + 1.0;
-        let width = (axis.x(f64::from(step.ends)) - 1.0 - left).max(1.0);
+        // A gap at each end parts a bar from the next.
+        let gap = if axis.is_narrow() { 0.5 } else { 1.0 };
+        let left = axis.x(f64::from(step.begins)) + gap;
+        let width = (axis.x(f64::from(step.ends)) - gap - left).max(1.0);
         let (top, tall) = (row.bar, row.thick);
         match step.way {
             Way::Move => rounded(&mut self.moves, left, top, width, tall, 4.0),
@@ -125,6 +152,39 @@ impl Shapes {
                     px(y)
                 );
             }
+            Way::Turn(turn) => {
+                rounded(
+                    &mut self.waits,
+                    left + 0.75,
+                    top + 0.75,
+                    width - 1.5,
+                    tall - 1.5,
+                    3.25,
+                );
+                arrow(
+                    &mut self.turns,
+                    turn,
+                    left + width / 2.0,
+                    row.middle(),
+                    width,
+                );
+            }
+            Way::Stay => {
+                rounded(
+                    &mut self.waits,
+                    left + 0.75,
+                    top + 0.75,
+                    width - 1.5,
+                    tall - 1.5,
+                    3.25,
+                );
+                clock(
+                    &mut self.clocks,
+                    left + width / 2.0,
+                    row.middle(),
+                    width.min(tall),
+                );
+            }
             Way::Wait => {
                 rounded(
                     &mut self.waits,
@@ -135,7 +195,13 @@ impl Shapes {
                     3.25,
                 );
                 let (middle, apart) = (left + width / 2.0, (width / 5.0).clamp(1.5, 3.0));
-                for x in [middle - apart, middle + apart] {
+                // One bar where two would run together.
+                let bars = if width < 9.0 && step.ends - step.begins == 1 {
+                    &[0.0][..]
+                } else {
+                    &[-apart, apart]
+                };
+                for x in bars.iter().map(|by| middle + by) {
                     let _ = write!(self.pauses, "M{} {}v6", px(x), px(row.middle() - 3.0));
                 }
             }

@@ -30,6 +30,29 @@ fn a_bar_for_every_move() {
 }
 
 #[test]
+fn steps_of_one_kind_are_joined_where_columns_are_narrow() {
+    let lane = Lane::of(&warehouse(), 0).unwrap();
+    let axis = Axis {
+        times: 19,
+        column: 8.0,
+    };
+    let shapes = Shapes::of(&lane, axis, Row::MANY, &(0..19));
+    let kinds = lane.steps.chunk_by(|a, b| a.way == b.way);
+    let moves = kinds.filter(|steps| steps[0].way == Way::Move).count();
+    assert_eq!(shapes.moves.matches('M').count(), moves);
+    assert!(moves < 13);
+    let whole = |steps: &[Step]| {
+        steps
+            .iter()
+            .map(|step| step.ends - step.begins)
+            .sum::<u32>()
+    };
+    let joined = joined(lane.steps.iter(), axis);
+    assert_eq!(whole(&joined), whole(&lane.steps));
+    assert!(joined.windows(2).all(|pair| pair[0].ends == pair[1].begins));
+}
+
+#[test]
 fn half_a_lane_has_frames_and_no_battery() {
     let lane = Lane::of(&warehouse(), 0).unwrap();
     let mut other = lane.clone();
@@ -69,6 +92,16 @@ fn a_wait_has_a_pause() {
     };
     let mut shapes = Shapes::default();
     shapes.add(&step(Way::Wait, 0, 1), axis, Row::DENSE);
+    let narrow = Axis {
+        column: 9.0,
+        ..axis
+    };
+    let mut one = Shapes::default();
+    one.add(&step(Way::Wait, 0, 1), narrow, Row::MANY);
+    assert_eq!(one.pauses.matches('M').count(), 1);
+    let mut long = Shapes::default();
+    long.add(&step(Way::Wait, 0, 3), narrow, Row::MANY);
+    assert_eq!(long.pauses.matches('M').count(), 2);
     assert_eq!(shapes.pauses.matches('M').count(), 2);
     assert!(shapes.waits.starts_with("M12 6.75h4"), "{}", shapes.waits);
 }

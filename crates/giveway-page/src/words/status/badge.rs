@@ -47,6 +47,8 @@ pub enum Badge {
     Illegal,
     /// A plan from elsewhere of which nothing was proved here.
     Shared,
+    /// The plan as it is carried out when a robot is late.
+    Late,
 }
 
 impl Badge {
@@ -72,6 +74,7 @@ impl Badge {
             Self::Stopped => tr!("the status in a word" => "Stopped"),
             Self::Stale => tr!("the status in a word" => "Stale"),
             Self::Shared => tr!("the status in a word" => "Shared"),
+            Self::Late => tr!("the status in a word" => "Late"),
             Self::Reading => tr!("the status in a word" => "Reading"),
             Self::Saving => tr!("the status in a word" => "Saving"),
             Self::Legal => tr!("the status in a word" => "Legal"),
@@ -92,6 +95,7 @@ impl Badge {
             | Self::Counting
             | Self::Stopped
             | Self::Reading
+            | Self::Late
             | Self::Saving => "clock",
             Self::Asking => "question",
             Self::Checking => "search",
@@ -118,7 +122,7 @@ impl Badge {
             Self::Proved => "proved",
             Self::Legal => "fine",
             Self::Impossible | Self::Faulty | Self::Illegal => "bad",
-            Self::Stopped | Self::Stale => "warn",
+            Self::Stopped | Self::Stale | Self::Late => "warn",
         }
     }
 }

@@ -10,7 +10,9 @@ use giveway_solve::explain::Part;
 
 use crate::certificate;
 use crate::words::{change, question, steering};
-use crate::{Activity, Asking, State, Task, ask, audit, freedom, ledger, proof};
+use crate::{
+    Activity, Asking, State, Task, ask, audit, freedom, grow, ledger, order, proof, sizing,
+};
 
 pub use badge::Badge;
 
@@ -45,6 +47,11 @@ pub struct Standing {
 
 impl Standing {
     fn new(badge: Badge, sentence: String) -> Self {
+        let sentence = if sentence.contains(['"', '\u{201e}', '\u{201c}']) {
+            crate::words::unnested(&sentence)
+        } else {
+            sentence
+        };
         Self {
             badge,
             sentence,
@@ -76,6 +83,9 @@ pub fn standing(state: &State) -> Standing {
         };
         return say(badge, job.sentence.clone());
     }
+    if let Some(looked) = sizing::looked(state) {
+        return say(Badge::Found, looked);
+    }
     let of_lesson = |lesson| resting::of_lesson(lesson, state);
     if let Some(standing) = state.lesson().and_then(of_lesson) {
         return standing;
@@ -89,7 +99,7 @@ pub fn standing(state: &State) -> Standing {
     let task = state
         .work
         .task()
-        .filter(|task| !matches!(task, Task::Look(_) | Task::Price(..)));
+        .filter(|task| !matches!(task, Task::Look(_) | Task::Price(..) | Task::Order(_)));
     if let Some(task) = task {
         return working(state, task);
     }
@@ -98,6 +108,22 @@ pub fn standing(state: &State) -> Standing {
         let name = state.next_name();
         let sentence = tr!("{name} starts at {at}. Now choose its goal.", name, at);
         return say(Badge::Draft, sentence);
+    }
+    if state
+        .view
+        .fleet
+        .as_ref()
+        .is_some_and(|fleet| !fleet.has_goals())
+    {
+        // On a phone the card of these robots is below the fold.
+        let sentence = tr!("The robots start there. Now drag over the cells where they go.");
+        return say(Badge::Draft, sentence.to_owned());
+    }
+    if let Some(late) = order::status(state) {
+        return say(Badge::Late, late);
+    }
+    if let Some(smaller) = grow::sentence(state) {
+        return say(Badge::Draft, smaller);
     }
     match &state.document.mode.activity {
         Activity::Changing(changing) => say(Badge::Changing, change::changing(changing)),
@@ -135,6 +161,11 @@ pub fn standing(state: &State) -> Standing {
     }
 }
 
+/// The sentence that stands once a question is answered, while more of its answer is looked for.
+pub fn later(state: &State) -> Option<String> {
+    state.is_looking().then(|| resting(state).sentence)
+}
+
 /// How many rules of the scene's own are in force; the inspector lists them.
 fn own_rules(rules: &[Constraint]) -> Option<String> {
     match rules.iter().filter(|rule| !rule.off).count() {
@@ -169,9 +200,10 @@ fn working(state: &State, task: &Task) -> Standing {
         Task::Certify(run) => say(Badge::Checking, proof::doing(run.at.as_ref())),
         Task::Export(run) => say(Badge::Checking, certificate::doing(run)),
         Task::Change(run) => say(Badge::Adapting, change::adapting(run)),
-        Task::Look(_) | Task::Price(..) => resting(state),
+        Task::Look(_) | Task::Price(..) | Task::Order(_) => resting(state),
         Task::Freedom(_) => say(Badge::Counting, freedom::doing(state).unwrap_or_default()),
         Task::Delays(_) => say(Badge::Counting, ledger::doing(state).to_owned()),
+        Task::Sizing(_) => say(Badge::Counting, sizing::doing(state)),
     }
 }
 

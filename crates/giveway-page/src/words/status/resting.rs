@@ -12,7 +12,7 @@ use crate::front::Front;
 use crate::lesson::Lesson;
 use crate::words::change;
 use crate::words::costs::values;
-use crate::{Activity, Answer, State, planners};
+use crate::{Activity, Answer, State, planners, rules};
 
 /// Where the page stands with a scene and its plan, if it has one.
 pub(super) fn resting(state: &State) -> Standing {
@@ -30,6 +30,9 @@ pub(super) fn resting(state: &State) -> Standing {
         return say(Badge::Draft, tr!("No plan yet.").to_owned());
     };
     if state.document.is_stale() {
+        if let Some(broken) = rules::outdated(state) {
+            return say(Badge::Stale, broken);
+        }
         let what = match answer.plan() {
             Some(_) => tr!("The scene has changed since this plan. Solve again."),
             None => tr!("The scene has changed. Solve again."),

@@ -29,9 +29,11 @@ fn a_push_by_hand() {
     }];
     let step = Event {
         from: 0,
+        constrained: Vec::new(),
         constraints: Vec::new(),
         inherited,
         made: Made::New(1),
+        cells: vec![1, 2],
     };
     assert_eq!(events, [step]);
 }
@@ -46,6 +48,14 @@ fn exhaustion_by_hand() {
     assert!(events.iter().all(|event| event.from == 0));
     let lengths: Vec<usize> = events.iter().map(|event| event.constraints.len()).collect();
     assert_eq!(lengths, [0, 1, 1, 2, 2, 2, 2]);
+    // The longer way chooses first: equal, so a does, then b.
+    let second = |event: &&Event| event.constrained.len() == 2;
+    assert!(
+        events
+            .iter()
+            .filter(second)
+            .all(|event| event.constrained == [0, 1])
+    );
     let again = |event: &&Event| event.made == Made::Again(0);
     for event in events.iter().filter(again) {
         let at = [0, 1];

@@ -42,6 +42,11 @@ fn a_chain_of_three_by_hand() {
         report.inherited[..2],
         [(0, lent(0, 1, 1)), (0, lent(1, 2, 2))]
     );
+    assert_eq!(
+        report.leaders,
+        [0, 0, 0, 0],
+        "who is on its way for longest, by its way"
+    );
     let Outcome::Plan(walks) = report.outcome else {
         panic!("{:?}", report.outcome);
     };
@@ -71,7 +76,8 @@ fn two_in_a_corridor_without_a_bay_are_stuck() {
 #[test]
 fn nothing_is_told_that_nobody_asked_for() {
     let instance = instance("a b c . A B C");
-    assert_eq!(run(&instance, OPTIONS).unwrap().inherited, []);
+    let untold = run(&instance, OPTIONS).unwrap();
+    assert!(untold.inherited.is_empty() && untold.leaders.is_empty());
     let options = Options { told: 1, ..OPTIONS };
     assert_eq!(run(&instance, options).unwrap().inherited.len(), 1);
 }

@@ -1,4 +1,4 @@
-"""The answers of ``explain``, ``freedom``, ``price``, ``delays`` and ``together``."""
+"""The answers of ``explain``, ``freedom``, ``price``, ``delays``, ``sizing`` and ``together``."""
 
 from __future__ import annotations
 
@@ -194,6 +194,68 @@ class Delays(Record):
     reason: str | None = optional()
     #: Whether the proof is still to come.
     pending: bool = False
+
+
+@dataclass(frozen=True)
+class Order(Record):
+    """The answer of ``order``; ``words`` is the whole of it in sentences."""
+
+    document: ClassVar[bool] = True
+
+    costs: Costs | None
+    #: ``agents`` with their visits, ``links``, ``rotations``, and moves that begin ``later`` than planned.
+    order: dict[str, Any] | None
+    #: How many links have no slack: there one robot follows the other in the same step.
+    without_slack: int
+    #: What robots may break though they keep to the order.
+    losses: tuple[dict[str, Any], ...]
+    words: str
+    stats: Stats
+    #: Moves that would wait for each other, where no order alone keeps the plan safe.
+    none: dict[str, Any] | None = optional()
+    #: What follows from the lateness that was asked for.
+    late: dict[str, Any] | None = optional()
+    #: The order in the formats that were asked for: each with ``format`` and ``text``.
+    files: tuple[dict[str, Any], ...] = optional(default=())
+    #: The plan that was found, where none was handed in.
+    plan: Plan | None = optional()
+    #: Why there is no plan.
+    reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class SizingPoint(Record):
+    """The best plan of so many robots."""
+
+    robots: int
+    status: Status
+    costs: Costs | None
+    bounds: dict[Cost, int]
+    complete: bool
+    within: int | None
+    #: The sum of costs if each robot arrived as early as alone; ``None`` where one cannot.
+    alone: int | None
+    #: The robot that needs the most steps alone.
+    slowest: dict[str, Any] | None
+    plan: Plan | None
+    #: Why there is no plan or no proof.
+    reason: str | None = optional()
+
+
+@dataclass(frozen=True)
+class Sizing(Record):
+    """The answer of ``sizing``; ``words`` is the whole of it in sentences."""
+
+    document: ClassVar[bool] = True
+
+    objective: tuple[Cost, ...]
+    points: tuple[SizingPoint, ...]
+    words: str
+    stats: Stats
+    #: The plans of the floor that is compared.
+    beside: tuple[SizingPoint, ...] = ()
+    #: How many plans were not begun.
+    pending: int = 0
 
 
 @dataclass(frozen=True)

@@ -39,26 +39,10 @@ pub(crate) fn subset_bounds(
     forcing: Option<&BTreeSet<usize>>,
     budget: &Rc<Budget>,
 ) -> Vec<SubsetBound> {
-    let Some(cost) = deciding_cost(case, answer) else {
+    let Some(mut tightness) = Tightness::new(case, refuted, answer, budget) else {
         return Vec::new();
     };
-    // Sums after a change would leave out what was paid before it.
-    if case.whole.is_rest() && cost != Cost::Makespan {
-        return Vec::new();
-    }
-    let other = answer.alternative.as_ref();
-    let here = other.filter(|_| answer.verdict == Verdict::Costly);
-    let here = here.unwrap_or(case.plan);
-    let Some(needs) = Needs::new(case, refuted, cost, budget) else {
-        return Vec::new();
-    };
-    let mut tightness = Tightness {
-        case,
-        needs,
-        here,
-        budget,
-    };
-    let sets = match (cost, forcing) {
+    let sets = match (tightness.needs.cost(), forcing) {
         (Cost::Makespan, Some(agents)) => tightness.downwards(agents),
         (Cost::Makespan, None) => tightness.largest(),
         (Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty, _) => {
@@ -66,6 +50,19 @@ pub(crate) fn subset_bounds(
         }
     };
     sets.iter().filter_map(|it| tightness.bound(it)).collect()
+}
+
+/// The same of agents alone of which the answer says what they need.
+pub(crate) fn forcing_bound(
+    case: &FittingQuestion,
+    refuted: Refuted,
+    answer: &ExplainAnswer,
+    forcing: &BTreeSet<usize>,
+    budget: &Rc<Budget>,
+) -> Option<SubsetBound> {
+    let mut tightness = Tightness::new(case, refuted, answer, budget)?;
+    tightness.know(forcing);
+    tightness.bound(forcing)
 }
 
 /// The cost that decides: that of the question, or the first that grows.
@@ -93,7 +90,33 @@ struct Tightness<'a, 'h> {
     budget: &'a Rc<Budget<'h>>,
 }
 
-impl Tightness<'_, '_> {
+impl<'a, 'h> Tightness<'a, 'h> {
+    /// `None` where no cost of all decides.
+    fn new(
+        case: &'a FittingQuestion<'a>,
+        refuted: Refuted<'a>,
+        answer: &'a ExplainAnswer,
+        budget: &'a Rc<Budget<'h>>,
+    ) -> Option<Self> {
+        let cost = deciding_cost(case, answer)?;
+        let other = answer.alternative.as_ref();
+        let here = other.filter(|_| answer.verdict == Verdict::Costly);
+        Some(Self {
+            case,
+            needs: Needs::new(case, refuted, cost, budget)?,
+            here: here.unwrap_or(case.plan),
+            budget,
+        })
+    }
+
+    /// Of agents that force the answer to a question about the makespan it is known what they need.
+    fn know(&mut self, forcing: &BTreeSet<usize>) {
+        if *self.case.question == Question::Makespan {
+            // They cannot be done sooner, and are done by then in the plan.
+            self.needs.know(forcing, self.case.costs.makespan);
+        }
+    }
+
     fn bound(&mut self, agents: &BTreeSet<usize>) -> Option<SubsetBound> {
         let instance = self.needs.instance();
         let (own, least) = (self.needs.own(agents)?, self.needs.least(agents)?);
@@ -114,12 +137,14 @@ impl Tightness<'_, '_> {
                 cost,
             },
             Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
+                // After a change with what they had paid before it.
+                let before = whole.paid(&names, self.here).get(cost);
                 SubsetBound {
-                    here: here.fold(0, u32::saturating_add),
+                    own: own.saturating_add(before),
+                    least: least.saturating_add(before),
+                    here: here.fold(before, u32::saturating_add),
                     agents: names,
                     cost,
-                    own,
-                    least,
                 }
             }
         })
@@ -128,10 +153,7 @@ impl Tightness<'_, '_> {
     /// A set, then with one agent less each time the set that needs most, down to the agent that
     /// needs most of all.
     fn downwards(&mut self, agents: &BTreeSet<usize>) -> Vec<BTreeSet<usize>> {
-        if *self.case.question == Question::Makespan {
-            // They cannot be done sooner, and are done by then in the plan.
-            self.needs.know(agents, self.case.costs.makespan);
-        }
+        self.know(agents);
         self.downwards_of(agents)
     }
 

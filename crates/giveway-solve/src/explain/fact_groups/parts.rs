@@ -154,18 +154,11 @@ impl Part {
         let obstacles = facts.iter().filter(|fact| fact.kind == FactKind::Obstacle);
         let obstacles: Vec<Cell> = obstacles.filter_map(|fact| fact.cell).collect();
         let has = |helps| facts.iter().any(|fact| fact.helps == helps);
-        let priced = self.facts.iter().filter_map(|&place| {
-            let (costs, proved) = *found.prices.get(found.groups.get(place)?)?;
-            let fact = place as u32;
-            Some(FactPrice {
-                fact,
-                costs,
-                proved,
-            })
-        });
+        let own = |price: &&FactPrice| self.facts.contains(&(price.fact as usize));
+        let priced = core.prices.iter().filter(own);
         let is_needed = |&place: &usize| {
             let fact = found.groups.get(place);
-            fact.is_some_and(|fact| found.needed.contains(fact))
+            fact.is_some_and(|fact| found.is_needed(instance, fact))
         };
         let objective = instance.objective();
         FactGroup {
@@ -178,7 +171,7 @@ impl Part {
                 self.aisle.clone()
             },
             facts: self.facts.iter().map(|&place| place as u32).collect(),
-            needed: core.minimal || self.facts.iter().any(is_needed),
+            needed: self.facts.iter().any(is_needed),
             helps: if has(Helps::Yes) {
                 Helps::Yes
             } else if has(Helps::Unknown) {
@@ -186,7 +179,9 @@ impl Part {
             } else {
                 Helps::No
             },
-            price: priced.min_by_key(|price| price.costs.vector(objective)),
+            price: priced
+                .min_by_key(|price| price.costs.vector(objective))
+                .cloned(),
         }
     }
 }

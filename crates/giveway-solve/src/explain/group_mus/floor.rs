@@ -35,13 +35,15 @@ impl Shrinking<'_> {
     }
 
     /// Leaves out what can be left out, obstacles by whole shelf blocks: a large floor has too
-    /// many to try each. Where few are left, each is tried.
+    /// many to try each. Where few are left, each is tried. What brief searches do not decide is
+    /// tried once more.
     pub(super) fn minimal_units(mut self, asked: &[usize]) -> CoreFound {
         let mut all = groups(self.instance, asked, self.deadline.is_some());
         // (Without slow zones a plan of what was left out before may be none.)
         sort_by_key(&mut all, |&group| (group != Group::Slow, turn(group)));
         let mut has_large = false;
         let mut obstacles_done = false;
+        self.is_brief = true;
         for group in all {
             if !self.matters(group) {
                 continue;
@@ -53,6 +55,18 @@ impl Shrinking<'_> {
                 has_large = self.leave_out_blocks();
             }
         }
+        self.is_brief = false;
+        if !has_large {
+            // (Without slow zones a plan of what was left out before may be none.)
+            let is_open = |group: &&Group| **group != Group::Slow && !self.shown.contains(*group);
+            let open: Vec<Group> = self.kept.iter().filter(is_open).copied().collect();
+            for group in open {
+                self.kept.remove(&group);
+                if self.matters(group) {
+                    self.leave_out_unit(&[group]);
+                }
+            }
+        }
         let kept: Vec<Group> = self.kept.iter().copied().collect();
         let minimal = !has_large && kept.iter().all(|group| self.shown.contains(group));
         CoreFound {
@@ -62,6 +76,7 @@ impl Shrinking<'_> {
             helps: BTreeMap::new(),
             prices: BTreeMap::new(),
             needed: self.shown,
+            is_of_another: false,
             further: Vec::new(),
         }
     }
@@ -102,9 +117,10 @@ impl Shrinking<'_> {
             let last = obstacles.iter().rposition(|it| block.contains(it));
             last.unwrap_or_default()
         };
-        let mut blocks: Vec<Vec<Group>> = blocks.into_values().collect();
-        sort_by_key(&mut blocks, place);
-        blocks.retain(|block| !self.leave_out(block));
+        let mut all: Vec<Vec<Group>> = blocks.into_values().collect();
+        sort_by_key(&mut all, place);
+        let mut blocks = Vec::new();
+        self.leave_out_halves(&all, true, &mut blocks);
         let is_small = blocks.iter().map(Vec::len).sum::<usize>() <= FEW_OBSTACLES;
         for block in &blocks {
             if is_small {
@@ -116,5 +132,21 @@ impl Shrinking<'_> {
             }
         }
         !is_small && blocks.iter().any(|block| block.len() > 1)
+    }
+
+    /// Leaves out as many of the blocks as can be, and says which are left. Where it is `known`
+    /// that not all can be left out, that is not tried.
+    fn leave_out_halves(&mut self, blocks: &[Vec<Group>], known: bool, left: &mut Vec<Vec<Group>>) {
+        let all: Vec<Group> = blocks.iter().flatten().copied().collect();
+        if all.is_empty() || (!known && self.leave_out(&all)) {
+            return;
+        }
+        if let [one] = blocks {
+            left.push(one.clone());
+            return;
+        }
+        let (first, second) = blocks.split_at(blocks.len() / 2);
+        self.leave_out_halves(first, false, left);
+        self.leave_out_halves(second, false, left);
     }
 }

@@ -51,6 +51,8 @@ pub(super) struct Shrinking<'a> {
     claim: Proved,
     /// How far the last refutation reaches.
     pub(super) reach: Proved,
+    /// Whether searches are brief: on a large floor few of them decide much.
+    pub(super) is_brief: bool,
 }
 
 impl<'a> Shrinking<'a> {
@@ -65,6 +67,7 @@ impl<'a> Shrinking<'a> {
             plans: Vec::new(),
             claim: refuted.reach,
             reach: refuted.reach,
+            is_brief: false,
         }
     }
 
@@ -88,6 +91,7 @@ impl<'a> Shrinking<'a> {
             helps: BTreeMap::new(),
             prices: BTreeMap::new(),
             needed: BTreeSet::new(),
+            is_of_another: false,
             further: Vec::new(),
         }
     }
@@ -222,7 +226,11 @@ impl<'a> Shrinking<'a> {
         if let Some(plan) = self.known(&variant) {
             return Tried::Plan(plan);
         }
-        let tried = self.inquiry.search(&variant);
+        let tried = if self.is_brief {
+            self.inquiry.search_briefly(&variant)
+        } else {
+            self.inquiry.search(&variant)
+        };
         let tried = tried.reaching(&variant, self.claim);
         if let Tried::Plan(plan) = &tried {
             self.plans.push(plan.clone());

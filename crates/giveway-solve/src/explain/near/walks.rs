@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::{Condition, Plan, sorting::set};
 
-use super::{Offer, TellNear, Variations};
+use super::{Offer, TellNear, Variations, retimed::retimed};
 use crate::{
     budget::{Budget, Stop},
     explain::{
@@ -94,6 +94,10 @@ impl Varying<'_, '_, '_> {
     fn before_each(&mut self, agent: usize, tell: TellNear) -> Result<(), Stop> {
         let lone = lone_walk(self.problem, &self.walks, (agent, self.latest), self.budget)?;
         let Some(lone) = lone else { return Ok(()) };
+        if self.names.len() > self.budget.thresholds().few_agents {
+            self.others_later(agent, &lone);
+            self.found.tell(tell);
+        }
         let met = self.others(&[agent]).met_by(agent, &lone);
         for &other in met.iter().take(MOST_SWAPPED) {
             let mut others = self.others(&[agent, other]);
@@ -118,6 +122,17 @@ impl Varying<'_, '_, '_> {
             self.found.tell(tell);
         }
         Ok(())
+    }
+
+    /// The agent takes its own way, and all others keep theirs and let it pass.
+    fn others_later(&mut self, agent: usize, lone: &Walk) {
+        let plan = self.plan_with(&[(agent, lone.clone())]);
+        let Some(name) = self.names.get(agent) else {
+            return;
+        };
+        if let Some(plan) = retimed(&plan, name, self.latest) {
+            self.offer(VariationKind::OtherWay, agent, None, plan);
+        }
     }
 
     /// The cheapest variation, improved with all agents.

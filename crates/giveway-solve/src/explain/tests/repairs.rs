@@ -4,6 +4,7 @@ use giveway_model::{Cell, Plan};
 
 use crate::{
     explain::{
+        Edit,
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
         repairs::{EditedPlan, Solver, Unsolved, repairs},
@@ -21,6 +22,10 @@ struct Finds {
 impl Inquiry for Finds {
     fn search(&mut self, _: &Variant) -> Tried {
         Tried::Plan(Plan::default())
+    }
+
+    fn search_briefly(&mut self, variant: &Variant) -> Tried {
+        self.search(variant)
     }
 
     fn search_again(&mut self, variant: &Variant) -> Tried {
@@ -48,6 +53,10 @@ impl Solver for Finds {
             proved: self.proves,
         })
     }
+
+    fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan> {
+        self.best(variant)
+    }
 }
 
 #[test]
@@ -61,10 +70,36 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             asked: &[],
             reach: crate::search::Proved::Within(20),
             cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
+            suspects: Vec::new(),
             whole: WholePlan::default(),
         };
         let found = repairs(&broken, &mut Finds { proves });
         assert_eq!(found.first.len(), 1);
         assert_eq!(found.exhaustive, proves);
     }
+}
+
+/// Where no set of facts is known, edits are guessed, and it is not said that these are all.
+#[test]
+fn without_a_known_set_edits_of_suspects_are_tried() {
+    let instance = instance("a # A");
+    let broken = Unsolved {
+        instance: &instance,
+        within: None,
+        objective: instance.objective(),
+        asked: &[],
+        reach: crate::search::Proved::Within(4),
+        cores: Vec::new(),
+        suspects: vec![Group::Task(0), Group::Battery(0)],
+        whole: WholePlan::default(),
+    };
+    let found = repairs(&broken, &mut Finds { proves: true });
+    let edits: Vec<_> = found.first.iter().flat_map(|it| &it.edits).collect();
+    assert_eq!(
+        edits,
+        [&Edit::LeaveOut {
+            agent: "a".to_owned()
+        }]
+    );
+    assert!(!found.exhaustive && found.further == 0);
 }

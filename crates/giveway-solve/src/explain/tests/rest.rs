@@ -11,10 +11,10 @@ use giveway_model::{
 
 use giveway_proof::Claim;
 
-use super::read;
+use super::{handed_on::Eager, read};
 use crate::{
     CertifyRequest, Host, Progress, Refusal, Request, Response, SilentHost,
-    explain::{Edit, ExplainAnswer, ExplainRequest, Verdict},
+    explain::{Edit, ExplainAnswer, ExplainRequest, Layer, Verdict},
     serve,
 };
 
@@ -353,4 +353,35 @@ fn no_certificate_is_made_of_what_is_about_two_worlds() {
     let request = CertifyRequest::of_explained(&course.instance, Some(&course.plan), &answer);
     assert!(request.bounds.is_empty() && !request.impossible);
     assert_eq!((request.plan, request.about), (None, Claim::default()));
+}
+
+/// What agents alone need is told of the whole plan: with what they had paid before the change.
+#[test]
+fn what_agents_alone_need_counts_from_the_beginning() {
+    let course = course(
+        r#"{ "giveway": 1, "map": ["....", "@.@@", "@@@@", "..@@"], "agents": [
+            { "name": "a", "start": [0, 0], "goal": [3, 0] },
+            { "name": "b", "start": [3, 0], "goal": [0, 0] }] }"#
+            .replace('@', "#")
+            .as_str(),
+        r#"{ "giveway": 1, "paths": {
+            "a": [[0, 0], [1, 0], [1, 1], [1, 0], [2, 0], [3, 0]],
+            "b": [[3, 0], [2, 0], [1, 0], [0, 0]] } }"#,
+        r#"{ "at": 1, "change": "add-obstacle", "cell": [0, 3] }"#,
+    );
+    let request = ExplainRequest {
+        layers: vec![Layer::Reason],
+        ..course.request("sum-of-costs")
+    };
+    let Response::Explained(answer) = serve(&Request::Explain(request), &Eager::default()) else {
+        panic!("not answered");
+    };
+    assert_eq!(
+        (answer.since, answer.verdict),
+        (Some(1), Verdict::Necessary)
+    );
+    let costs = course.costs(&course.plan);
+    let bounds = answer.alone.iter();
+    let bounds: Vec<_> = bounds.map(|it| (it.own, it.least, it.here)).collect();
+    assert_eq!(bounds, [(6, costs.sum_of_costs, costs.sum_of_costs)]);
 }

@@ -32,6 +32,7 @@ fn plain(
         objective: instance.objective(),
         plan,
         verdict: found,
+        is_open: false,
         alternative,
         within: None,
         alone: &[],
@@ -60,6 +61,7 @@ fn scenario_1_is_told_as_a_person_would() {
         objective: instance.objective(),
         plan: &plan,
         verdict: Verdict::Needless,
+        is_open: false,
         alternative: Some(&other),
         within: None,
         alone: &[],
@@ -87,6 +89,28 @@ fn each_verdict_has_its_sentence() {
         tell(Verdict::Necessary),
         "There is no plan in which A2 arrives before time 4."
     );
+    // It costs more, but a cheaper one may be found.
+    let mut late = other.clone();
+    let first = late.paths.get("A1").and_then(|path| path.first().copied());
+    late.paths.get_mut("A1").unwrap().insert(0, first.unwrap());
+    let so_far = verdict(&KnownSoFar {
+        whole: WholePlan::default(),
+        instance: &instance,
+        question: &asked("arrival A2"),
+        objective: instance.objective(),
+        plan: &plan,
+        verdict: Verdict::Costly,
+        is_open: true,
+        alternative: Some(&late),
+        within: None,
+        alone: &[],
+        witness: ("", &[]),
+        core: None,
+        repairs: &[],
+    });
+    let begin = "There is a plan in which A2 arrives before time 4, but none costs as little: the \
+                 best one so far has ";
+    assert!(so_far.starts_with(begin), "{so_far}");
     assert_eq!(
         tell(Verdict::Unknown),
         "The search ended before it was known whether a plan in which A2 arrives before time 4 \
@@ -193,6 +217,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
     let core = Core {
         groups: Vec::new(),
         facts: facts.collect(),
+        prices: Vec::new(),
         minimal: true,
         reach: Reach::unproved(None),
         further: Vec::new(),
@@ -217,6 +242,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
         objective: instance.objective(),
         plan: &plan,
         verdict: Verdict::Necessary,
+        is_open: false,
         alternative: None,
         within: Some(40),
         alone: &[],

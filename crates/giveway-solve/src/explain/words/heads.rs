@@ -2,7 +2,7 @@
 
 use giveway_model::{Question, tr};
 
-use crate::explain::{Class, Core, ExplainAnswer, Fact, Helps, Verdict};
+use crate::explain::{Class, Core, ExplainAnswer, Fact, GroupMark, Helps, Verdict};
 
 /// The verdict in a word.
 pub fn verdict_word(answer: &ExplainAnswer) -> &'static str {
@@ -71,7 +71,7 @@ const fn is_single(core: &Core) -> bool {
 /// named where there is one.
 pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String {
     let set = match (core.minimal, is_single(core), question.agent()) {
-        (false, _, _) => tr!("Some of these may not be needed.").to_owned(),
+        (false, _, _) => perhaps_needed(core).to_owned(),
         (true, true, None) => tr!("This fact alone rules it out.").to_owned(),
         (true, true, Some(agent)) => tr!(
             "Given the task of {agent}, this fact alone rules it out.",
@@ -87,6 +87,21 @@ pub fn facts_claim(question: &Question, verdict: Verdict, core: &Core) -> String
     };
     let alone = alone(question, verdict, core).map(|sentence| format!(" {sentence}"));
     format!("{set}{}", alone.unwrap_or_default())
+}
+
+/// The claim of a set that is not shown minimal, in accord with the marks of its groups.
+fn perhaps_needed(core: &Core) -> &'static str {
+    let is_open = |mark| mark == GroupMark::Open;
+    let open = core.groups.iter().filter(|it| is_open(it.mark())).count();
+    match (core.groups.len(), open) {
+        (1.., 0) => tr!(
+            "These facts alone rule it out. Each group is needed for that; of a group, some facts may not be."
+        ),
+        (groups, open) if open < groups => tr!(
+            "These facts alone rule it out. The marked groups are needed for that; the others may not be."
+        ),
+        _ => tr!("Some of these may not be needed."),
+    }
 }
 
 /// The effect of leaving out one fact of a set, as a sentence about all of them.

@@ -18,7 +18,8 @@ pub(crate) fn nearby(answer: &mut ExplainAnswer) {
     answer.words = sentences.join(" ");
 }
 
-/// Who comes through, and what would happen.
+/// Who comes through, and what would happen: of a wait if the robot went on, of other questions on
+/// another way from its start.
 pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
     let agent = &here.agent;
     let meets = |name: &String| {
@@ -36,10 +37,19 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
         );
     }
     let what = would(agent, &violations, Some(case.instance));
-    if !matches!(
-        case.question,
-        Question::Wait { .. } | Question::Yield { .. }
-    ) {
+    // What it would run into may lie long before the cell, and be about others.
+    if let (Question::Yield { to, at, .. }, Some(first)) = (case.question, here.passing.first()) {
+        return tr!(
+            "{to} is at {at} first, at time {time}. If only {agent} changed its way to be there \
+             before, it would {what}.",
+            to,
+            at,
+            time = first.time,
+            agent,
+            what
+        );
+    }
+    if !matches!(case.question, Question::Wait { .. }) {
         tr!(
             "If only {agent} changed its way, it would {what}.",
             agent,

@@ -24,6 +24,8 @@ pub(crate) struct KnownSoFar<'a> {
     /// of the whole.
     pub(crate) whole: WholePlan<'a>,
     pub(crate) verdict: Verdict,
+    /// Whether the best other plan is not known yet, though it costs more.
+    pub(crate) is_open: bool,
     /// The other plan.
     pub(crate) alternative: Option<&'a Plan>,
     /// The makespan up to which the verdict holds; `None` for any.
@@ -135,6 +137,19 @@ fn needless(telling: &KnownSoFar, goes_wrong: bool, does: &str) -> String {
 fn costly(telling: &KnownSoFar, does: &str, now: &Costs, before: &Costs) -> String {
     let instead = in_costs(telling.objective, now, before);
     match telling.within {
+        None if telling.is_open => tr!(
+            "There is a plan in which {does}, but none costs as little: the best one so far has \
+             {instead}.",
+            does,
+            instead
+        ),
+        Some(n) if telling.is_open => tr!(
+            "There is a plan in which {does}, but none of makespan at most {n} costs as little: \
+             the best one so far has {instead}.",
+            does,
+            n,
+            instead
+        ),
         None => tr!(
             "There is a plan in which {does}, but the best one has {instead}.",
             does,

@@ -26,7 +26,7 @@ pub(crate) fn would(agent: &str, violations: &[&Violation], instance: Option<&In
     let more = phrases.len().saturating_sub(MOST);
     if more > 0 {
         phrases.truncate(MOST);
-        phrases.push(tr!("a robot would" => "break {n} more rule" | "break {n} more rules" % more));
+        phrases.push(tr!("a robot would" => "run into {n} more problem" | "run into {n} more problems" % more));
     }
     and(&phrases)
 }

@@ -12,6 +12,7 @@ use super::super::{
     closest::NoneCloser,
     counting::{Counted, QueueTooLong},
     deadlines::NoHorizon,
+    earlier::EarlierOptimum,
     growing::AssumptionCore,
     horizon::AllInTime,
     minima::{LimitTooLow, NeededAlone},
@@ -97,6 +98,8 @@ proofs! {
     NeededAlone => Least,
     /// Counting at a bottleneck shows the bound.
     Counted => Least,
+    /// It is the optimum of an earlier search with fewer conditions.
+    EarlierOptimum => Least,
     /// An earlier request proved it.
     HandedOn => Least,
 }

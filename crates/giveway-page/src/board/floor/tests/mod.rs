@@ -55,8 +55,9 @@ fn small_cells_are_plain() {
 
 #[test]
 fn lines_part_cells() {
-    assert_eq!(lines(2, 2), "M100 0V200M0 100H200");
-    assert_eq!(lines(1, 1), "");
+    assert_eq!(lines(2, 2, 1), "M100 0V200M0 100H200");
+    assert_eq!(lines(1, 1, 1), "");
+    assert_eq!(lines(11, 3, 5), "M500 0V300M1000 0V300");
 }
 
 #[test]

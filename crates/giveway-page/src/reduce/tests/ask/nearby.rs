@@ -173,7 +173,7 @@ fn a_row_of_what_it_could_do_is_the_other_plan() {
         rows,
         [
             ("Wait at any of 2 cells", "same"),
-            ("Go first, and A2 waits instead", "at most +5")
+            ("Go first, and A2 waits instead", "at most +5 steps")
         ]
     );
     let cells: Vec<Cell> = reasons(&state).instead.iter().map(|it| it.cell).collect();
@@ -220,6 +220,7 @@ fn groups_of_facts_are_numbered_and_open() {
             group(cells[..2].to_vec(), vec![0, 1], Helps::Yes),
             group(cells[2..].to_vec(), vec![2], Helps::No),
         ],
+        prices: Vec::new(),
         minimal: true,
         reach: reach(None),
         further: Vec::new(),

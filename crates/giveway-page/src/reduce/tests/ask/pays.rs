@@ -2,7 +2,7 @@
 
 use giveway_model::{Cost, Question};
 use giveway_solve::Response;
-use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict};
+use giveway_solve::explain::{AgentDifference, ExplainAnswer, Here, How, Verdict};
 
 use super::{asked, id, question, told};
 use crate::ask::{Card, card};
@@ -141,13 +141,78 @@ fn what_is_necessary_has_no_colour_of_what_is_broken() {
         answer.costs = None;
     });
     let verdict = card.verdict.unwrap();
-    assert_eq!(verdict.title, "No plan does otherwise");
+    assert_eq!(verdict.title, "There is no other way");
     assert_eq!(verdict.badge.class, "necessary");
     assert_eq!(
         verdict.sentence,
         "There is no plan in which A1 does not charge at (6, 2) at time 9."
     );
     assert_eq!(card.pays, None);
+}
+
+/// What the plan shows was said before the verdict, and stays above it.
+#[test]
+fn what_the_plan_shows_keeps_its_place() {
+    let card = card_of(|answer| {
+        answer.here = Some(Here {
+            agent: "A1".to_owned(),
+            passing: Vec::new(),
+            violations: Vec::new(),
+            words: "A1 lets A2 pass.".to_owned(),
+        });
+        answer.pays = vec![differs("A2", 10, 15)];
+    });
+    let sentence = card.verdict.unwrap().sentence;
+    let (here, late) = sentence.split_once('\n').unwrap();
+    assert_eq!(here, "A1 lets A2 pass.");
+    assert!(
+        late.ends_with("A2 would arrive at 15 instead of 10."),
+        "{late}"
+    );
+}
+
+/// A better plan is told by what it saves, not by who is later in it.
+#[test]
+fn a_better_plan_says_what_it_saves() {
+    let card = card_of(|answer| {
+        answer.question = Question::Makespan;
+        answer.verdict = Verdict::Improvable;
+        answer.deltas = [(Cost::Makespan, -2), (Cost::Charges, 1)].into();
+        answer.costs.as_mut().unwrap().makespan -= 2;
+        answer.pays = vec![differs("A2", 10, 15)];
+    });
+    let verdict = card.verdict.unwrap();
+    assert_eq!(verdict.title, "All can be done 2 steps sooner");
+    let saved = "In the other plan all robots are done at 16 instead of 18.";
+    assert_eq!(verdict.sentence, saved);
+    let charges = card_of(|answer| {
+        answer.verdict = Verdict::Improvable;
+        answer.deltas = [(Cost::Makespan, 0), (Cost::Charges, -1)].into();
+        answer.costs.as_mut().unwrap().charges = 2;
+    });
+    let saved = "The other plan has 2 charges instead of 3.";
+    assert_eq!(charges.verdict.unwrap().sentence, saved);
+}
+
+/// A step more is a step of a cost, which is named.
+#[test]
+fn a_price_names_its_cost() {
+    let title = |cost: Cost, n: i64| {
+        let card = card_of(|answer| {
+            answer.deltas = [(Cost::Makespan, 0), (Cost::Charges, 0)].into();
+            answer.deltas.insert(cost, n);
+        });
+        card.verdict.unwrap().title
+    };
+    assert_eq!(title(Cost::Makespan, 1), "1 step more until all are done");
+    assert_eq!(title(Cost::SumOfCosts, 3), "3 steps more in all");
+}
+
+#[test]
+fn a_repair_says_what_it_changes() {
+    let card = card_of(|answer| answer.repairs[0].costs.makespan -= 3);
+    let difference = card.repairs[0].difference.clone().unwrap();
+    assert_eq!(difference, ("\u{2212}3 steps".to_owned(), true));
 }
 
 #[test]
@@ -189,7 +254,7 @@ fn a_plan_that_is_not_proved_best_is_a_bound() {
     assert!(
         verdict
             .sentence
-            .ends_with("A2 would arrive at 15 instead of 10.")
+            .ends_with("A2 would arrive at 15 or sooner, not at 10.")
     );
     let nothing = card_of(|answer| {
         answer.verdict = Verdict::Unknown;

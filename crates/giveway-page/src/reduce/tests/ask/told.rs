@@ -37,7 +37,9 @@ fn a_question_runs_in_the_solver_and_is_said() {
     assert!(coming.is_looking);
     let held = Held {
         verdict: true,
+        ways: 1,
         rows: 5,
+        other: true,
         reasons: true,
         help: true,
     };

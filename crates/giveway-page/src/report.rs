@@ -1,0 +1,152 @@
+//! The report of the plan on the board: what the page shows, prints and saves of it.
+
+use std::rc::Rc;
+
+use giveway_model::Cost;
+use giveway_picture::report::{Known, Question, Report, Subject};
+use giveway_solve::Status;
+use giveway_solve::words::{on_paper, reason};
+
+use crate::files::Saved;
+use crate::words::change::method;
+use crate::{Answer, State, ask, files, inspect, words};
+
+/// The report of the plan; `None` where there is none of the scene as it is.
+pub fn report(state: &State) -> Option<Report> {
+    with(state, |subject, answer| {
+        Report::of(subject, known(state, answer))
+    })
+}
+
+/// The report as a page of HTML, in a language.
+pub fn report_file(state: &State, language: &str) -> Option<Saved> {
+    Some(Saved {
+        name: files::name_of(state, "report.html"),
+        text: report(state)?.page(language),
+    })
+}
+
+/// Where each robot is at each time, as a table for spreadsheets.
+pub fn plan_csv_file(state: &State) -> Option<Saved> {
+    Some(Saved {
+        name: files::name_of(state, "plan.csv"),
+        text: with(state, |subject, _| subject.csv())?,
+    })
+}
+
+/// A line for each robot of the plan, as a table for spreadsheets.
+pub fn arrivals_csv_file(state: &State) -> Option<Saved> {
+    Some(Saved {
+        name: files::name_of(state, "arrivals.csv"),
+        text: report(state)?.csv(),
+    })
+}
+
+fn with<T>(state: &State, tell: impl FnOnce(&Subject<'_>, &Answer) -> T) -> Option<T> {
+    let answer: &Rc<Answer> = state.document.fresh_answer()?;
+    let instance = answer.draft.instance().ok()?;
+    let changes = answer.course.as_ref().map(|course| &course.changes);
+    let subject = Subject::new(instance, answer.plan()?, changes).ok()?;
+    Some(tell(&subject, answer))
+}
+
+fn known(state: &State, answer: &Answer) -> Known {
+    let solved = &answer.solved;
+    let is_own = answer.is_searched() && answer.by.is_none() && answer.course.is_none();
+    let (claim, is_proved) = if is_own {
+        on_paper(solved)
+    } else {
+        let claim = inspect::claim(answer);
+        let claim = claim.unwrap_or_else(|| words::standing(state).sentence);
+        let is_proved = answer.is_searched() && solved.status == Status::Optimal;
+        (claim, is_proved)
+    };
+    let bounds = |(&cost, &least): (&Cost, &u32)| (cost, least);
+    let steps = answer.course.as_ref().map_or(&[][..], |it| &it.steps);
+    Known {
+        claim,
+        is_proved,
+        remarks: solved.reason.as_ref().map(reason).into_iter().collect(),
+        bounds: solved.bounds.iter().map(bounds).collect(),
+        before: steps.first().and_then(|step| step.before),
+        methods: steps
+            .iter()
+            .filter_map(|step| Some((step.at, method(step.method?).to_owned())))
+            .collect(),
+        questions: question(state).into_iter().collect(),
+    }
+}
+
+/// The question that is answered on the page.
+fn question(state: &State) -> Option<Question> {
+    let card = ask::card(state)?;
+    let verdict = card.verdict?;
+    let reasons = card.witness.iter().flat_map(|(_, happenings)| happenings);
+    let reasons = reasons.map(|happening| happening.text.clone());
+    Some(Question {
+        asked: card.question,
+        verdict: verdict.title,
+        reasons: std::iter::once(verdict.sentence.replace('\n', " "))
+            .chain(reasons)
+            .filter(|reason| !reason.is_empty())
+            .collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn the_figures_are_those_of_the_plan() {
+        let state = sample::solved();
+        let report = report(&state).unwrap();
+        let answer = state.document.answer.as_ref().unwrap();
+        let costs = answer.solved.costs.unwrap();
+        assert_eq!(report.costs.len(), 5);
+        for row in &report.costs {
+            assert_eq!(row.value, costs.get(row.cost));
+            let least = answer.solved.bounds.get(&row.cost).copied();
+            assert_eq!(row.at_least, least, "{:?}", row.cost);
+        }
+        assert!(report.known.is_proved);
+        assert_eq!(report.known.claim, "Proved: no plan is better.");
+        let arrivals: Vec<_> = report.robots.iter().map(|row| row.arrives).collect();
+        assert_eq!(arrivals, answer.arrivals);
+        let waits: u32 = report.robots.iter().map(|row| row.waits).sum();
+        assert_eq!(waits, costs.waits);
+        let charges: usize = report.robots.iter().map(|row| row.charges.len()).sum();
+        assert_eq!(u32::try_from(charges), Ok(costs.charges));
+        let lowest = answer.levels.iter().map(|levels| levels.iter().min());
+        for (row, lowest) in report.robots.iter().zip(lowest) {
+            assert_eq!(row.lowest.as_ref(), lowest);
+        }
+    }
+
+    #[test]
+    fn without_a_plan_there_is_no_report() {
+        let state = State::new(sample::draft());
+        assert_eq!(report(&state), None);
+        assert_eq!(plan_csv_file(&state), None);
+        assert_eq!(report_file(&state, "en"), None);
+    }
+
+    #[test]
+    fn files_have_the_name_of_the_scene() {
+        let state = sample::solved();
+        let names = [
+            report_file(&state, "en").unwrap().name,
+            plan_csv_file(&state).unwrap().name,
+            arrivals_csv_file(&state).unwrap().name,
+        ];
+        assert_eq!(
+            names,
+            [
+                "warehouse-report.html",
+                "warehouse-plan.csv",
+                "warehouse-arrivals.csv"
+            ]
+        );
+    }
+}

@@ -1,0 +1,72 @@
+//! Which rows a filter leaves, and in which order texts with numbers stand.
+
+use std::cmp::Ordering;
+
+use giveway_model::tr;
+
+use super::{Column, Row};
+
+/// Whether a row has all that a filter asks for: `start 37`, `waits > 0`, `no battery`, a name.
+pub(super) fn fits(row: &Row, filter: &str) -> bool {
+    let filter = filter.trim().to_lowercase();
+    if filter.is_empty() {
+        return true;
+    }
+    let no = tr!("in a filter: no battery" => "no");
+    let (is_none, filter) = match filter.strip_prefix(&format!("{no} ")) {
+        Some(rest) => (true, rest.to_owned()),
+        None => (false, filter),
+    };
+    let column = Column::ALL.into_iter().find_map(|column| {
+        let rest = filter.strip_prefix(&column.name().to_lowercase())?;
+        Some((column, rest.trim().to_owned()))
+    });
+    let Some((column, rest)) = column else {
+        return row
+            .text(Column::Name)
+            .is_some_and(|name| name.to_lowercase().contains(&filter));
+    };
+    let text = row.text(column).unwrap_or_default();
+    if is_none {
+        return text.is_empty();
+    }
+    if let Some((sign, number)) = rest.split_at_checked(1)
+        && matches!(sign, "<" | ">")
+    {
+        let pair = number
+            .trim()
+            .parse::<u32>()
+            .ok()
+            .zip(text.parse::<u32>().ok());
+        return pair.is_some_and(|(number, own)| {
+            if sign == "<" {
+                own < number
+            } else {
+                own > number
+            }
+        });
+    }
+    match (super::read::numbers(&rest), super::read::numbers(text)) {
+        (Some(wanted), Some(own)) if !wanted.is_empty() => wanted.iter().all(|n| own.contains(n)),
+        _ => !text.is_empty() && text.to_lowercase().contains(&rest),
+    }
+}
+
+/// The order of texts in which numbers count as such: A2 before A10. What is empty is last.
+pub(super) fn by_nature(one: &str, other: &str) -> Ordering {
+    let parts = |text: &str| {
+        let mut parts: Vec<(u64, String)> = Vec::new();
+        for c in text.chars() {
+            match (c.to_digit(10), parts.last_mut()) {
+                (Some(digit), Some((number, word))) if word.is_empty() => {
+                    *number = number.saturating_mul(10).saturating_add(digit.into());
+                }
+                (Some(digit), _) => parts.push((digit.into(), String::new())),
+                (None, Some((_, word))) if !word.is_empty() => word.push(c),
+                (None, _) => parts.push((0, c.to_string())),
+            }
+        }
+        parts
+    };
+    (one.is_empty(), parts(one)).cmp(&(other.is_empty(), parts(other)))
+}

@@ -1,0 +1,46 @@
+//! A plan that is older than a rule: it is stale, and red where it breaks the rule.
+
+use super::{act, marked, solved};
+use crate::board::{reasons, rules_now};
+use crate::reduce::tests::after;
+use crate::rules::{RuleAction, list};
+use crate::words::standing;
+use crate::{Action, State};
+
+/// The solved scene with a limit of its aisle, which its plan does not keep.
+fn limited() -> State {
+    after(&marked(), [act(RuleAction::Add)])
+}
+
+#[test]
+fn a_plan_that_breaks_a_newer_rule_is_red_on_the_spot() {
+    let state = limited();
+    assert!(state.document.is_stale());
+    let said = standing(&state).sentence;
+    let expected = "This plan breaks a rule that came after it: ";
+    assert!(said.starts_with(expected), "{said}");
+    let rows = list(&state).unwrap().rows;
+    assert_eq!(rows[0].broken, None, "the lane was there before");
+    let broken = rows[1].broken.as_deref().unwrap();
+    assert!(
+        broken.starts_with("broken ") && broken.ends_with(" by A1 and A2"),
+        "{broken}"
+    );
+    // The first time at which it is broken is shown, with the zone and the spot in red.
+    assert_eq!(rules_now(&state).broken, [1]);
+    let start = after(&state, [crate::tests::seek(0)]);
+    assert!(rules_now(&start).broken.is_empty(), "not at other times");
+}
+
+#[test]
+fn what_is_kept_is_not_red() {
+    let state = limited();
+    let anew = solved(&state);
+    assert!(!anew.document.is_stale());
+    assert_eq!(list(&anew).unwrap().rows[1].broken, None);
+    let back = after(&state, [Action::Undo]);
+    assert!(reasons(&back).bursts.is_empty() && rules_now(&back).broken.is_empty());
+    // Off, it forbids nothing.
+    let off = after(&state, [act(RuleAction::Switch(1))]);
+    assert_eq!(list(&off).unwrap().rows[1].broken, None);
+}

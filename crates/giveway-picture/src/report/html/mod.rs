@@ -1,0 +1,127 @@
+//! A report as HTML: the part that a page shows and prints, and a page of its own.
+
+mod tables;
+
+use std::fmt::Write as _;
+
+use giveway_model::tr;
+
+use super::{Question, Report, Sign};
+use crate::xml::Escaped;
+
+/// How the report looks, on a screen and on paper.
+const STYLE: &str = include_str!("../report.css");
+
+impl Report {
+    /// The report as a page of HTML that needs nothing else, in a language: `en`.
+    pub fn page(&self, language: &str) -> String {
+        format!(
+            "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body class=\"report-page\">\n{}</body>\n</html>\n",
+            Escaped(language),
+            Escaped(&tr!("{title}: report of a plan", title = self.title)),
+            self.html()
+        )
+    }
+
+    /// The report as a part of a page of HTML; names in it cannot be markup.
+    pub fn html(&self) -> String {
+        let mut html = String::from("<article class=\"report\">\n");
+        self.head(&mut html);
+        self.costs_table(&mut html);
+        self.changes_table(&mut html);
+        self.robots_table(&mut html);
+        self.busiest_table(&mut html);
+        self.questions(&mut html);
+        html + "</article>\n"
+    }
+
+    fn head(&self, html: &mut String) {
+        let _ = write!(html, "<header><div><h1>{}</h1>", Escaped(&self.title));
+        for fact in &self.facts {
+            let _ = write!(html, "<p>{}</p>", Escaped(fact));
+        }
+        html.push_str("</div><p class=\"brand\">Giveway</p></header>\n");
+        let known = &self.known;
+        let class = if known.is_proved {
+            "claim proved"
+        } else {
+            "claim"
+        };
+        let _ = write!(
+            html,
+            "<section class=\"{class}\"><p><b>{}</b></p><p>{}",
+            Escaped(&known.claim),
+            Escaped(&self.costs_told)
+        );
+        for remark in &known.remarks {
+            let _ = write!(html, " {}", Escaped(remark));
+        }
+        let _ = write!(html, "</p></section>\n<figure>{}<figcaption>", self.map);
+        for sign in &self.signs {
+            let _ = write!(
+                html,
+                "<span><i class=\"sign-{}\"></i>{}</span>",
+                sign.class(),
+                Escaped(sign.told())
+            );
+        }
+        html.push_str("</figcaption></figure>\n");
+    }
+
+    fn questions(&self, html: &mut String) {
+        if self.known.questions.is_empty() {
+            return;
+        }
+        heading(html, tr!("Questions"));
+        html.push_str("<ol>");
+        for Question {
+            asked,
+            verdict,
+            reasons,
+        } in &self.known.questions
+        {
+            let _ = write!(
+                html,
+                "<li><p><b>{}</b> {}</p>",
+                Escaped(asked),
+                Escaped(verdict)
+            );
+            if !reasons.is_empty() {
+                let _ = write!(html, "<p>{}</p>", Escaped(&reasons.join(" ")));
+            }
+            html.push_str("</li>");
+        }
+        html.push_str("</ol>\n");
+    }
+}
+
+fn heading(html: &mut String, text: &str) {
+    let _ = writeln!(html, "<h2>{}</h2>", Escaped(text));
+}
+
+impl Sign {
+    /// What it means.
+    fn told(self) -> &'static str {
+        match self {
+            Self::Start => tr!("starts here"),
+            Self::Goal => tr!("its goal"),
+            Self::Busy => tr!("busy cell, by its letter"),
+            Self::Breakdown => tr!("breaks down here"),
+            Self::Obstacle => tr!("obstacle"),
+            Self::Slow => tr!("slow zone"),
+            Self::Charger => tr!("charger"),
+        }
+    }
+
+    const fn class(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Goal => "goal",
+            Self::Busy => "busy",
+            Self::Breakdown => "breakdown",
+            Self::Obstacle => "obstacle",
+            Self::Slow => "slow",
+            Self::Charger => "charger",
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! The tables of a report.
+
+use std::fmt::{Display, Write as _};
+
+use giveway_model::words::{duration, grouped};
+use giveway_model::{Cost, tr};
+
+use super::heading;
+use crate::report::{CostRow, Report, RobotRow};
+use crate::xml::Escaped;
+
+impl Report {
+    pub(super) fn costs_table(&self, html: &mut String) {
+        if self.costs.is_empty() {
+            return;
+        }
+        let has = |is: fn(&CostRow) -> bool| self.costs.iter().any(is);
+        let (times, bounds, before) = (
+            has(|row| row.time.is_some()),
+            has(|row| row.at_least.is_some()),
+            has(|row| row.before.is_some()),
+        );
+        let mut heads = vec![(tr!("Cost"), ""), (tr!("This plan"), N)];
+        if times {
+            heads.push((tr!("In time"), N));
+        }
+        if bounds {
+            heads.push((tr!("Proved at least"), N));
+        }
+        if before {
+            heads.push((tr!("Before the change"), N));
+        }
+        begin(html, "report-costs", &heads);
+        let number = |n: Option<u32>| n.map(|n| grouped(n.into())).unwrap_or_default();
+        for row in &self.costs {
+            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", title(row.cost));
+            cell(html, N, &format!("<b>{}</b>", number(Some(row.value))));
+            if times {
+                cell(html, N, &row.time.as_deref().unwrap_or_default());
+            }
+            if bounds {
+                cell(html, N, &number(row.at_least));
+            }
+            if before {
+                cell(html, N, &number(row.before));
+            }
+            html.push_str("</tr>\n");
+        }
+        end(html);
+    }
+
+    pub(super) fn changes_table(&self, html: &mut String) {
+        if self.changes.is_empty() {
+            return;
+        }
+        heading(html, tr!("Changes"));
+        let methods = self.changes.iter().any(|row| row.method.is_some());
+        let mut heads = vec![(tr!("At"), ""), (tr!("What changed"), "")];
+        if methods {
+            heads.push((tr!("Plan used since"), ""));
+        }
+        begin(html, "report-changes", &heads);
+        for row in &self.changes {
+            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", row.at);
+            cell(html, "", &Escaped(&row.what));
+            if methods {
+                cell(
+                    html,
+                    "",
+                    &Escaped(row.method.as_deref().unwrap_or_default()),
+                );
+            }
+            html.push_str("</tr>\n");
+        }
+        end(html);
+    }
+
+    pub(super) fn robots_table(&self, html: &mut String) {
+        heading(html, tr!("Robots"));
+        let has = |is: fn(&RobotRow) -> bool| self.robots.iter().any(is);
+        let (waypoints, charges, levels) = (
+            has(|row| !row.waypoints.is_empty()),
+            has(|row| !row.charges.is_empty()),
+            has(|row| row.lowest.is_some()),
+        );
+        let mut heads = vec![(tr!("Robot"), ""), (tr!("Start"), "")];
+        if waypoints {
+            heads.push((tr!("Waypoints, with their times"), "wide"));
+        }
+        heads.extend([(tr!("Goal"), ""), (tr!("Arrives"), N)]);
+        if self.units.is_some() {
+            heads.push((tr!("after"), N));
+        }
+        heads.push((tr!("Waits"), N));
+        if charges {
+            heads.push((tr!("Charges at"), N));
+        }
+        if levels {
+            heads.push((tr!("Lowest level"), N));
+        }
+        begin(html, "report-robots", &heads);
+        for row in &self.robots {
+            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", Escaped(&row.name));
+            let start = format!("{}, {}", row.start.x, row.start.y);
+            let start = match row.begins {
+                0 => start,
+                time => tr!("{cell} at {time}", cell = start, time),
+            };
+            cell(html, "", &start);
+            if waypoints {
+                cell(html, "wide", &visits(row));
+            }
+            let goal = row.goal.map(|goal| format!("{}, {}", goal.x, goal.y));
+            cell(
+                html,
+                "",
+                &goal.unwrap_or_else(|| tr!("anywhere").to_owned()),
+            );
+            let arrives = match (row.arrives, row.removed) {
+                (Some(time), _) => time.to_string(),
+                (None, Some(time)) => tr!("removed at {time}", time),
+                (None, None) => "\u{2013}".to_owned(),
+            };
+            cell(html, N, &format!("<b>{}</b>", Escaped(&arrives)));
+            if self.units.is_some() {
+                let time = row.arrives.and_then(|time| duration(self.units, time));
+                cell(html, N, &time.unwrap_or_default());
+            }
+            let some = |n: u32| if n == 0 { String::new() } else { n.to_string() };
+            cell(html, N, &some(row.waits));
+            if charges {
+                let times: Vec<String> = row.charges.iter().map(u32::to_string).collect();
+                cell(html, N, &times.join(", "));
+            }
+            if levels {
+                cell(
+                    html,
+                    N,
+                    &row.lowest.map(|n| n.to_string()).unwrap_or_default(),
+                );
+            }
+            html.push_str("</tr>\n");
+        }
+        end(html);
+    }
+
+    pub(super) fn busiest_table(&self, html: &mut String) {
+        if self.busiest.is_empty() {
+            return;
+        }
+        heading(html, tr!("Busiest cells"));
+        let heads = [
+            ("", ""),
+            (tr!("Cell"), ""),
+            (tr!("Passes"), N),
+            (tr!("Robots"), N),
+            (tr!("Steps waited there"), N),
+        ];
+        begin(html, "report-busiest", &heads);
+        for busy in &self.busiest {
+            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", busy.letter);
+            cell(html, "", &format!("{}, {}", busy.cell.x, busy.cell.y));
+            cell(html, N, &format!("<b>{}</b>", busy.passes));
+            cell(html, N, &busy.robots);
+            let waits = (busy.waits > 0).then(|| busy.waits.to_string());
+            cell(html, N, &waits.unwrap_or_default());
+            html.push_str("</tr>\n");
+        }
+        end(html);
+    }
+}
+
+/// The class of numbers.
+const N: &str = "n";
+
+/// What a cost is called.
+fn title(cost: Cost) -> &'static str {
+    match cost {
+        Cost::Makespan => tr!("Last arrival (makespan)"),
+        Cost::SumOfCosts => tr!("Sum of costs"),
+        Cost::Charges => tr!("Charges"),
+        Cost::Moves => tr!("Moves"),
+        Cost::Waits => tr!("Waits"),
+        Cost::Penalty => tr!("Penalty"),
+    }
+}
+
+/// Waypoints with the times of their visits: `10, 5 at 56; 20, 5 at 66`.
+fn visits(row: &RobotRow) -> String {
+    let visit = |(cell, time): &(giveway_model::Cell, Option<u32>)| {
+        let cell = format!("{}, {}", cell.x, cell.y);
+        match time {
+            Some(time) => tr!("{cell} at {time}", cell, time),
+            None => tr!("{cell} never", cell),
+        }
+    };
+    let visits: Vec<String> = row.waypoints.iter().map(visit).collect();
+    visits.join("; ")
+}
+
+/// A table with its heads, which stand on each page anew.
+fn begin(html: &mut String, class: &str, heads: &[(&str, &str)]) {
+    let _ = write!(html, "<table class=\"{class}\"><thead><tr>");
+    for (head, class) in heads {
+        if head.is_empty() {
+            html.push_str("<td></td>");
+        } else {
+            let _ = write!(
+                html,
+                "<th scope=\"col\"{}>{}</th>",
+                of(class),
+                Escaped(head)
+            );
+        }
+    }
+    html.push_str("</tr></thead>\n<tbody>\n");
+}
+
+fn end(html: &mut String) {
+    html.push_str("</tbody></table>\n");
+}
+
+fn cell(html: &mut String, class: &str, text: &dyn Display) {
+    let _ = write!(html, "<td{}>{text}</td>", of(class));
+}
+
+fn of(class: &str) -> String {
+    match class {
+        "" => String::new(),
+        class => format!(" class=\"{class}\""),
+    }
+}

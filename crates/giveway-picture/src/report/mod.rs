@@ -1,0 +1,181 @@
+//! The report of a plan, to be read on paper: what is proved, the map, costs, changes, each robot,
+//! the busiest cells, the questions that were asked. Plain data, and its words as HTML and CSV.
+
+mod busy;
+mod csv;
+mod facts;
+mod html;
+mod map;
+mod robots;
+mod subject;
+#[cfg(test)]
+mod tests;
+
+use giveway_model::{Cell, Cost, Units};
+
+pub use subject::Subject;
+
+/// What a front knows of a plan beside the plan itself.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Known {
+    /// What is proved, as a sentence: the headline.
+    pub claim: String,
+    /// Whether it is proved that no plan is better.
+    pub is_proved: bool,
+    /// What else is to be said of the claim, a sentence each.
+    pub remarks: Vec<String>,
+    /// What is proved of a cost of any plan: at least so much.
+    pub bounds: Vec<(Cost, u32)>,
+    /// The costs of the plan before the world changed, where they are known.
+    pub before: Option<giveway_model::Costs>,
+    /// How the plan went on after the changes of a time, where that is known.
+    pub methods: Vec<(u32, String)>,
+    /// The questions that were asked.
+    pub questions: Vec<Question>,
+}
+
+/// A question that was asked of the plan, with its answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// The question.
+    pub asked: String,
+    /// The verdict in a word or two.
+    pub verdict: String,
+    /// The reasons, a sentence each.
+    pub reasons: Vec<String>,
+}
+
+/// The report of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The name of the scene.
+    pub title: String,
+    /// What the scene has, a line each.
+    pub facts: Vec<String>,
+    /// What is proved.
+    pub known: Known,
+    /// What the plan costs, in words.
+    pub costs_told: String,
+    /// The costs, those of the objective first.
+    pub costs: Vec<CostRow>,
+    /// What changed while the plan ran, by time.
+    pub changes: Vec<ChangeRow>,
+    /// The robots, in the order of the scene.
+    pub robots: Vec<RobotRow>,
+    /// The busiest cells, the first one first.
+    pub busiest: Vec<BusyCell>,
+    /// The map as SVG, in black and white.
+    pub map: String,
+    /// What the signs of the map mean.
+    pub signs: Vec<Sign>,
+    units: Option<Units>,
+}
+
+/// A cost of the plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CostRow {
+    /// The cost.
+    pub cost: Cost,
+    /// What the plan has.
+    pub value: u32,
+    /// The time that it is, where it counts steps and the scene has units.
+    pub time: Option<String>,
+    /// What is proved of any plan: at least so much.
+    pub at_least: Option<u32>,
+    /// What the plan had before the world changed.
+    pub before: Option<u32>,
+}
+
+/// Something that changed while the plan ran.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChangeRow {
+    /// When, in steps.
+    pub at: u32,
+    /// What.
+    pub what: String,
+    /// How the plan went on.
+    pub method: Option<String>,
+}
+
+/// A robot and its plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RobotRow {
+    /// Its name.
+    pub name: String,
+    /// What stands for it on the map.
+    pub number: String,
+    /// Where it starts.
+    pub start: Cell,
+    /// When it starts, in steps.
+    pub begins: u32,
+    /// Its waypoints, by the time of the first visit; `None` where it does not come there.
+    pub waypoints: Vec<(Cell, Option<u32>)>,
+    /// Its goal; `None` where it may rest anywhere.
+    pub goal: Option<Cell>,
+    /// When it arrives, in steps; `None` where it does not.
+    pub arrives: Option<u32>,
+    /// When it is removed.
+    pub removed: Option<u32>,
+    /// How many steps it waits.
+    pub waits: u32,
+    /// When it charges.
+    pub charges: Vec<u32>,
+    /// The lowest level of its battery; `None` without one.
+    pub lowest: Option<i64>,
+}
+
+/// A cell that is often used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BusyCell {
+    /// Its letter on the map.
+    pub letter: String,
+    /// The cell.
+    pub cell: Cell,
+    /// How often a robot enters it.
+    pub passes: u32,
+    /// How many robots do.
+    pub robots: usize,
+    /// How many steps robots wait there on their way.
+    pub waits: u32,
+}
+
+/// A sign of the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// A robot starts.
+    Start,
+    /// Its goal.
+    Goal,
+    /// A busy cell.
+    Busy,
+    /// A robot breaks down.
+    Breakdown,
+    /// An obstacle.
+    Obstacle,
+    /// A slow cell.
+    Slow,
+    /// A charger.
+    Charger,
+}
+
+impl Report {
+    /// The report of a plan.
+    pub fn of(subject: &Subject<'_>, known: Known) -> Self {
+        let robots = robots::rows(subject);
+        let busiest = busy::busiest(subject);
+        let (map, signs) = map::map(subject, &robots, &busiest);
+        Self {
+            title: facts::title(subject),
+            facts: facts::facts(subject),
+            costs_told: facts::costs_told(subject),
+            costs: facts::costs(subject, &known),
+            changes: facts::changes(subject, &known),
+            units: subject.units(),
+            robots,
+            busiest,
+            map,
+            signs,
+            known,
+        }
+    }
+}

@@ -1,0 +1,68 @@
+// A program in two parts: what a first visit runs, and what comes after it.
+//
+// `giveway-bind split` takes the functions of scripts/page/later/NAME.txt out of the program; what the first part has in
+// their place asks for the later part before it calls one of them. `./x visit` writes those lists.
+
+import { join } from "node:path";
+
+/**
+ * Where the paths and functions of a program are listed that come later. A program without a list stays whole.
+ * @param {string} source the project's folder
+ * @param {string} name of the program
+ */
+export function listOf(source, name) {
+  return join(source, "scripts/page/later", `${name}.txt`);
+}
+
+/**
+ * Bindings that load the later part: `later()` ahead of time, or the program itself as soon as it needs it. It then waits,
+ * and the page with it: what a person did at that moment cannot be half done.
+ * @param {string} bindings as wasm-bindgen wrote them
+ * @param {string} path of the later part, from the bindings
+ * @throws {Error} where they are not as expected
+ */
+export function withLater(bindings, path) {
+  const handed = every(bindings, "const imports = __wbg_get_imports();", "const imports = { ...__wbg_get_imports(), later: { load: loadLater } };");
+  return `${handed}
+const LATER = new URL("${path}", import.meta.url);
+let isWhole = false;
+function join(module) {
+  if (!isWhole) {
+    new WebAssembly.Instance(module, { first: wasm });
+    isWhole = true;
+  }
+}
+function loadLater() {
+  const request = new XMLHttpRequest();
+  request.open("GET", LATER, false);
+  request.overrideMimeType("text/plain; charset=x-user-defined");
+  try {
+    request.send();
+  } catch {
+    // No network: the status is 0.
+  }
+  if (request.status !== 200) {
+    throw new WebAssembly.RuntimeError(\`\${LATER}: \${request.status}\`);
+  }
+  join(new WebAssembly.Module(Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0))));
+}
+export async function later() {
+  const response = isWhole ? undefined : await fetch(LATER);
+  if (response?.ok) {
+    join(await WebAssembly.compile(await response.arrayBuffer()));
+  }
+}
+`;
+}
+
+/** Bindings that leave the exports of the program, which note what ran, to whoever looks. */
+export function told(bindings) {
+  return every(bindings, "wasm = instance.exports;", "wasm = instance.exports; globalThis.givewayProgram = wasm;");
+}
+
+function every(text, from, to) {
+  if (!text.includes(from)) {
+    throw new Error(`expected ${JSON.stringify(from)} in the bindings of wasm-bindgen`);
+  }
+  return text.replaceAll(from, to);
+}

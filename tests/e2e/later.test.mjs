@@ -1,0 +1,73 @@
+// The page's program comes in two parts: a first visit needs the first alone, and whatever needs the later one waits for it.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { flows } from "./flow.mjs";
+import { open } from "./browser.mjs";
+import { Playground } from "./page.mjs";
+import { eventually } from "./wait.mjs";
+
+const LATER = /\/app-[0-9a-f]+_later\.wasm$/;
+
+describe("the later part of the page's program", () => {
+  const flow = flows();
+
+  flow("is needed neither to open the page nor to solve", async (_, { context: around, host }) => {
+    const browser = around.browser();
+    const { context, page, complaints } = await open(browser, { serviceWorkers: "block" });
+    await page.route(LATER, (route) => route.abort());
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await playground.press("Solve");
+    await playground.button("Solve").waitFor();
+    await playground.says(/^Optimal: /);
+    await playground.board.hover();
+    // It was asked for ahead of time, and could not be had.
+    const others = complaints.filter((complaint) => !/_later\.wasm|Service Worker/.test(complaint));
+    assert.deepEqual(others, []);
+    assert.equal(await page.getByRole("alertdialog").count(), 0);
+    await context.close();
+  }, { fresh: true, screens: ["desktop"], complains: true });
+
+  flow("is waited for by what needs it, once", async (_, { context: around, host }) => {
+    const browser = around.browser();
+    const { context, page } = await open(browser, { serviceWorkers: "block" });
+    let asked = 0;
+    await page.route(LATER, (route) => {
+      asked += 1;
+      return asked === 1 ? route.abort() : route.continue();
+    });
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await playground.says(/^Optimal: |^Solved|makespan/);
+    await eventually("the later part to be asked for ahead of time", () => asked === 1);
+    await playground.act("Share");
+    await page.getByRole("dialog", { name: "Share" }).getByLabel("Link").waitFor();
+    await playground.key("Escape");
+    await playground.act("New");
+    await page.getByRole("dialog", { name: "New scene" }).waitFor();
+    assert.equal(asked, 2, "it comes once");
+    await context.close();
+  }, { fresh: true, screens: ["desktop"], complains: true });
+
+  flow("that cannot be had is told, and nothing is lost", async (_, { context: around, host }) => {
+    const browser = around.browser();
+    const { context, page } = await open(browser, { serviceWorkers: "block" });
+    let isThere = false;
+    await page.route(LATER, (route) => (isThere ? route.continue() : route.abort()));
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await playground.says(/makespan/);
+    // It never comes to the dialog.
+    playground.act("Share").catch(() => undefined);
+    const overlay = page.getByRole("alertdialog");
+    await overlay.getByRole("button", { name: "Reload the page" }).waitFor();
+    isThere = true;
+    await overlay.getByRole("button", { name: "Reload the page" }).click();
+    await playground.says(/makespan/);
+    await playground.act("Share");
+    await page.getByRole("dialog", { name: "Share" }).waitFor();
+    await context.close();
+  }, { fresh: true, screens: ["desktop"], complains: true });
+});
