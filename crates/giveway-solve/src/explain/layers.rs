@@ -109,6 +109,18 @@ pub struct Here {
     pub words: String,
 }
 
+/// The most robots that a sentence names.
+pub(super) const MOST_NAMED: usize = 3;
+
+impl Here {
+    /// Who is let pass, as the sentence names them: those that come through and would be met.
+    pub fn let_pass(&self) -> impl Iterator<Item = &String> {
+        let is_met = |name: &&String| self.violations.iter().any(|it| it.agents.contains(name));
+        let passing = self.passing.iter().map(|it| &it.agent);
+        passing.filter(is_met).take(MOST_NAMED)
+    }
+}
+
 /// An agent that uses a cell of another agent's further way while that one waits.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
 pub struct Passing {

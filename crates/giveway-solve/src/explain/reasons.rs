@@ -144,6 +144,7 @@ pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnsw
         alternative: answer.alternative.as_ref(),
         within: answer.reach.within().map(|time| case.whole.time(time)),
         whole: case.whole,
+        here: answer.here.as_ref(),
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
         alone: &answer.alone,

@@ -54,6 +54,11 @@ pub(super) fn tell_verdict(
     let compared = compare(case, known, telling.budget);
     let (is_proved, closest) = (compared.reach.is_some(), compared.closest);
     case.is_open = compared.is_open;
+    if case.is_open && answer.pending.contains(&Part::Closest) {
+        // The best other plan comes last: what is pending stands in the order in which it comes.
+        answer.pending.retain(|&part| part != Part::Closest);
+        answer.pending.push(Part::Closest);
+    }
     take(case, compared, answer);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);

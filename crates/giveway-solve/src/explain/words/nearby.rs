@@ -2,13 +2,14 @@
 
 use giveway_model::{Costs, Question, tr, words::and};
 
-use super::{costs::instead, violations::would};
-use crate::explain::{
-    AgentDifference, ExplainAnswer, Here, Near, Variation, VariationKind, verdict::FittingQuestion,
+use super::{
+    costs::instead,
+    violations::{passing_first, would},
 };
-
-/// More agents are counted.
-const MOST_NAMED: usize = 3;
+use crate::explain::{
+    AgentDifference, ExplainAnswer, Here, Near, Variation, VariationKind, layers::MOST_NAMED,
+    verdict::FittingQuestion,
+};
 
 /// The answer in words as long as it has no verdict.
 pub(crate) fn nearby(answer: &mut ExplainAnswer) {
@@ -22,14 +23,8 @@ pub(crate) fn nearby(answer: &mut ExplainAnswer) {
 /// another way from its start.
 pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
     let agent = &here.agent;
-    let meets = |name: &String| {
-        let mut violations = here.violations.iter();
-        violations.any(|violation| violation.agents.contains(name))
-    };
-    // Who comes through and would not be met is not let pass.
-    let passing = here.passing.iter().map(|it| &it.agent);
-    let passing: Vec<&String> = passing.filter(|&it| meets(it)).take(MOST_NAMED).collect();
-    let violations: Vec<_> = here.violations.iter().collect();
+    let passing: Vec<&String> = here.let_pass().collect();
+    let violations = passing_first(here.violations.iter().collect(), Some(here));
     if violations.is_empty() {
         return tr!(
             "If only {agent} changed its way, no rule would be broken.",

@@ -9,9 +9,11 @@ use super::{
     differences::instead,
     joined::because,
     repairs::{led_to, phrase},
-    violations::would,
+    violations::{passing_first, would},
 };
-use crate::explain::{Core, Edit, Repair, SubsetBound, Verdict, WitnessEntry, whole::WholePlan};
+use crate::explain::{
+    Core, Edit, Here, Repair, SubsetBound, Verdict, WitnessEntry, whole::WholePlan,
+};
 
 /// All that is known, as far as it is known.
 pub(crate) struct KnownSoFar<'a> {
@@ -30,6 +32,8 @@ pub(crate) struct KnownSoFar<'a> {
     pub(crate) alternative: Option<&'a Plan>,
     /// The makespan up to which the verdict holds; `None` for any.
     pub(crate) within: Option<u32>,
+    /// What the plan shows, where that was told: the same robots are named.
+    pub(crate) here: Option<&'a Here>,
     /// The agent of the witness, and what it would run into.
     pub(crate) witness: (&'a str, &'a [WitnessEntry]),
     pub(crate) core: Option<&'a Core>,
@@ -47,7 +51,8 @@ pub(crate) fn verdict(telling: &KnownSoFar) -> String {
     let before = costs(telling.plan).unwrap_or_default();
     let mut sentences = Vec::new();
     let (agent, entries) = telling.witness;
-    let violations: Vec<_> = entries.iter().map(|entry| &entry.violation).collect();
+    let violations = entries.iter().map(|entry| &entry.violation).collect();
+    let violations = passing_first(violations, telling.here);
     let goes_wrong = !violations.is_empty();
     if goes_wrong {
         let of_agent = telling.question.agent() == Some(agent);

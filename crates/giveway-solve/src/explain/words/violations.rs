@@ -7,9 +7,31 @@ use giveway_model::words::and;
 use giveway_model::{Instance, tr};
 
 use super::facts::broken_down;
+use crate::explain::Here;
 
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
+
+/// The violations in the order in which a sentence tells them. Where there are more than it tells
+/// one by one, those with the robots that are let pass come first: who is named as let pass is
+/// named as met, too.
+pub(crate) fn passing_first<'a>(
+    violations: Vec<&'a Violation>,
+    here: Option<&Here>,
+) -> Vec<&'a Violation> {
+    let Some(here) = here.filter(|_| violations.len() > MOST) else {
+        return violations;
+    };
+    let named: BTreeSet<&String> = here.let_pass().collect();
+    let passes = |it: &&Violation| it.agents.iter().any(|name| named.contains(name));
+    let (first, then): (Vec<_>, Vec<_>) = violations.into_iter().partition(passes);
+    // Each of them once, before any of them again.
+    let mut met: BTreeSet<&Vec<String>> = BTreeSet::new();
+    let (once, again): (Vec<_>, Vec<_>) = first
+        .into_iter()
+        .partition(|&it: &&'a Violation| met.insert(&it.agents));
+    [once, then, again].concat()
+}
 
 /// `meet A1 at (2, 1) at time 1 and have too little battery at time 9`. A meeting with
 /// an agent that has broken down names the breakdown.
@@ -98,5 +120,59 @@ fn of_rule(agent: &str, violation: &Violation, instance: Option<&Instance>) -> S
         Rule::Shape | Rule::Start | Rule::Move => {
             tr!("a robot would" => "break a rule at time {time}", time)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use giveway_model::Cell;
+
+    use super::*;
+    use crate::explain::Passing;
+
+    fn meets(other: &str, time: u32) -> Violation {
+        Violation {
+            rule: Rule::Vertex,
+            agents: vec!["A3".to_owned(), other.to_owned()],
+            cell: Some(Cell::new(1, 1)),
+            edge: None,
+            time,
+            message: String::new(),
+            broken: None,
+        }
+    }
+
+    /// Whoever a sentence says is let pass is among those that it says would be met.
+    #[test]
+    fn who_is_let_pass_is_named_as_met() {
+        let violations: Vec<Violation> = [("A7", 1), ("A8", 2), ("A5", 3), ("A9", 4), ("A5", 5)]
+            .map(|(other, time)| meets(other, time))
+            .into();
+        let passing = |name: &str| Passing {
+            agent: name.to_owned(),
+            cell: Cell::new(2, 1),
+            time: 2,
+        };
+        let here = Here {
+            agent: "A3".to_owned(),
+            passing: vec![passing("A9"), passing("A6"), passing("A5")],
+            violations: violations.clone(),
+            words: String::new(),
+        };
+        let named: Vec<&String> = here.let_pass().collect();
+        assert_eq!(named, ["A9", "A5"], "A6 would not be met");
+        let told = |here| {
+            would(
+                "A3",
+                &passing_first(violations.iter().collect(), here),
+                None,
+            )
+        };
+        assert_eq!(
+            told(Some(&here)),
+            "meet A5 at (1, 1) at time 3, meet A9 at (1, 1) at time 4, meet A7 at (1, 1) at time 1 \
+             and run into 1 more problem"
+        );
+        assert!(!told(None).contains("A9"), "so it would be left out");
     }
 }
