@@ -1,18 +1,22 @@
 //! A question that was asked, and its answer as far as it is known.
 
+mod found;
+mod other;
+
 use std::rc::Rc;
 
 use giveway_model::check::Violation;
-use giveway_model::{Cell, Cost, Costs, Objective, Plan, Question};
+use giveway_model::{Cell, Objective, Question};
 use giveway_proof::Report;
-use giveway_solve::explain::{
-    AgentDifference, Class, ExplainAnswer, ExplainRequest, Variation, Verdict,
-};
-use giveway_solve::{Limits, Reason, SolveAnswer, Stats, Status};
+use giveway_solve::Limits;
+use giveway_solve::explain::{Class, ExplainAnswer, ExplainRequest, Verdict};
 
 use crate::Answer;
 use crate::ask::layers;
 use crate::changing::Changing;
+
+pub(crate) use found::Found;
+pub use found::found_better;
 
 /// A question with its answer so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,111 +178,6 @@ impl Asking {
             (one, None) => one.is_some(),
             (None, Some(_)) => false,
         }
-    }
-
-    /// Whether the other plan costs less than the one asked about.
-    pub(crate) fn is_bettered(&self) -> bool {
-        let objective = self.objective().costs();
-        let value = |answer: &Answer| {
-            let costs = answer.solved.costs?;
-            let costs = objective.iter().map(|&cost| costs.get(cost));
-            Some(costs.collect::<Vec<u32>>())
-        };
-        let other = self.other.as_deref().and_then(value);
-        other.is_some_and(|other| value(&self.about).is_none_or(|this| other < this))
-    }
-
-    /// The variation that is looked at.
-    pub(crate) fn variation(&self) -> Option<&Variation> {
-        let near = self.told.as_deref()?.near.as_ref()?;
-        near.variations.get(self.chosen?)
-    }
-
-    /// The robots that the other plan moves differently.
-    pub(crate) fn pays(&self) -> &[AgentDifference] {
-        match (self.variation(), self.told.as_deref()) {
-            (Some(it), _) => &it.pays,
-            (None, Some(told)) => &told.pays,
-            (None, None) => &[],
-        }
-    }
-
-    /// Looks at a variation as the other plan, or at the best that is known.
-    pub(crate) fn choose(&mut self, variation: Option<usize>) {
-        let Some(told) = self.told.clone() else {
-            return;
-        };
-        self.chosen = variation;
-        let varied = self.variation().and_then(|it| {
-            let mut plan = self.about.plan()?.clone();
-            for (name, path) in &it.plan.paths {
-                plan.paths.insert(name.clone(), path.clone());
-                plan.charges.remove(name);
-            }
-            for (name, charges) in &it.plan.charges {
-                plan.charges.insert(name.clone(), charges.clone());
-            }
-            self.answer_of(plan, it.costs)
-        });
-        if varied.is_none() {
-            self.chosen = None;
-        }
-        self.other = varied.or_else(|| self.best_other(&told));
-        self.shows_other &= self.other.is_some();
-    }
-
-    /// The best other plan that is known.
-    fn best_other(&self, told: &ExplainAnswer) -> Option<Rc<Answer>> {
-        self.answer_of(told.alternative.clone()?, told.costs?)
-    }
-
-    /// Another plan, with what is known of it: it is as good as proved where it costs what a proved
-    /// plan costs, or as little as is proved of all plans.
-    fn answer_of(&self, plan: Plan, costs: Costs) -> Option<Rc<Answer>> {
-        let solved = &self.about.solved;
-        let objective = self.objective().costs();
-        let before = solved.costs?;
-        let is_equal = objective
-            .iter()
-            .all(|&cost| before.get(cost) == costs.get(cost));
-        let is_least = |cost: &Cost| solved.bounds.get(cost) == Some(&costs.get(*cost));
-        let is_least = objective.iter().all(is_least);
-        let status = match solved.status {
-            Status::Optimal if is_equal => Status::Optimal,
-            _ if is_least => Status::Optimal,
-            _ => Status::Feasible,
-        };
-        // A plan that is no worse is the best so far of a search that was stopped.
-        let by_costs = |costs: &Costs| objective.iter().map(|&cost| costs.get(cost)).collect();
-        let (mine, other): (Vec<u32>, Vec<u32>) = (by_costs(&before), by_costs(&costs));
-        let ended = solved
-            .ended
-            .filter(|_| status == Status::Feasible && other <= mine);
-        let answer = SolveAnswer {
-            status,
-            costs: Some(costs),
-            plan: Some(plan),
-            ended,
-            // It was asked for, not searched for: where the best plan is known, this is not it.
-            reason: (solved.status == Status::Optimal && status == Status::Feasible)
-                .then_some(Reason::Beaten),
-            stats: Stats::default(),
-            ..solved.clone()
-        };
-        let (draft, request) = (Rc::clone(&self.about.draft), Rc::clone(&self.about.request));
-        let is_searched = solved.trace.is_some() && self.about.is_searched();
-        let proved_by_bounds = (is_searched && is_least).then_some(answer.reach);
-        let answer = match self.about.course.as_deref() {
-            None => Answer {
-                proved_by_bounds,
-                ..Answer::new(draft, request, answer)
-            },
-            Some(course) => {
-                let (changes, steps) = (course.changes.clone(), course.steps.clone());
-                Answer::over_time(draft, request, answer, changes, steps).ok()?
-            }
-        };
-        Some(Rc::new(answer))
     }
 }
 

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::sorting::sort_by_key;
 use giveway_model::words::and;
-use giveway_model::{Cell, Plan, tr};
+use giveway_model::{Agent, Cell, Plan, tr};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -82,6 +82,18 @@ fn first_difference(plan: &Plan, other: &Plan, name: &str) -> Option<u32> {
         at(one, index) != at(two, index) || charges.contains(&time) != others.contains(&time)
     });
     found.map(|(_, time)| time)
+}
+
+/// How many differences have no row of their own, in words.
+pub(crate) fn more_rows(state: &State) -> Option<String> {
+    let more = state.differences().len().saturating_sub(ROWS) as u32;
+    (more > 0).then(|| tr!("And {n} later difference." | "And {n} later differences." % more))
+}
+
+/// Whether two plans move all robots in the same way.
+pub(crate) fn same_walks(one: &Plan, other: &Plan, agents: &[Agent]) -> bool {
+    let mut agents = agents.iter();
+    agents.all(|agent| first_difference(one, other, &agent.name).is_none())
 }
 
 impl State {
@@ -258,6 +270,9 @@ pub fn other_title(state: &State) -> String {
         && beside.is_some_and(|it| Rc::ptr_eq(it, &without.answer))
     {
         return tr!("Without the rule").to_owned();
+    }
+    if let Some(name) = crate::ask::other_name(state) {
+        return tr!("The other plan: {which}", which = name);
     }
     let audit = state.document.mode.audit();
     let mut plans = audit.into_iter().flat_map(|audit| audit.plans.iter());

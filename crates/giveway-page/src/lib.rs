@@ -86,7 +86,7 @@ pub use action::{
     SolveAction, ViewAction, WorkerAction,
 };
 pub use answer::Answer;
-pub use asking::{Asking, Lit};
+pub use asking::{Asking, Lit, found_better};
 pub use document::Document;
 pub use draft::{Draft, MAX_AGENTS, MAX_SIDE};
 pub use edit::{AreaEdit, Axis, DENSEST, Edit, Fill, Lines, Lost, Paint, Reshape, RuleEdit, Sides};

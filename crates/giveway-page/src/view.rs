@@ -6,6 +6,7 @@ use std::rc::Rc;
 use giveway_model::Cell;
 
 use crate::area::{Area, Clip};
+use crate::asking::Found;
 use crate::draw::Drawing;
 use crate::find::Find;
 use crate::fleet::Fleet;
@@ -172,6 +173,8 @@ pub struct View {
     pub sought: Option<Sought>,
     /// The broken rule of a plan of elsewhere that was gone to last, by its index.
     pub(crate) conflict: Option<usize>,
+    /// A better plan that a question found.
+    pub(crate) found: Option<Found>,
     /// Whose plan is to be shown beside the one on the board.
     pub(crate) versus: Option<By>,
     /// What is shown and written of the scene's own rules.
@@ -225,6 +228,7 @@ impl Default for View {
             find: None,
             sought: None,
             conflict: None,
+            found: None,
             versus: None,
             rules: RulesView::default(),
             overlay: Overlay::default(),

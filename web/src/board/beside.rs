@@ -4,7 +4,7 @@
 use giveway_model::words::Later;
 use std::rc::Rc;
 
-use giveway_page::board::{Camera, Cast, Window};
+use giveway_page::board::{Camera, Cast, Window, reasons_beside};
 use giveway_page::grow::Room;
 use giveway_page::inside::Overlay;
 use giveway_page::{Answer, words};
@@ -14,6 +14,7 @@ use yew::prelude::*;
 use super::cells::Cells;
 use super::layers::{Place, layers, picked, square};
 use super::pointer::Pointer;
+use super::reasons::{ReasonMarks, ReasonsProps};
 use super::viewport::{use_sight, use_viewport};
 use super::{LETTERS_PX, cells, view_box};
 use crate::Shown;
@@ -77,6 +78,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
                 aria-activedescendant={cells::id(name.english(), cursor)}
                 viewBox={view_box(&frame)} {onkeydown}>
                 { layers(state, Place::Beside, cast, versus.as_ref(), &sight, &Overlay::default(), &pointer) }
+                { part::<ReasonMarks>(ReasonsProps { reasons: reasons_beside(state), cell_px: frame.cell_px }) }
                 { part::<Cells>(CellsProps { of: name.english(), draft: Rc::clone(world), cast: Rc::clone(cast), time: state.view.playback.time, window: Window::around(cursor, &frame, board), selection: state.view.selection, notes: Vec::new() }) }
                 <g aria-hidden="true">{ square("cursor", cursor, 2) }</g>
             </svg>

@@ -45,7 +45,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             }
             if !card.could.is_empty() || held.ways > 0 { { it_could(&card.could, ways(held.ways), send) } }
             if let Some(pays) = &card.pays { { who_pays(pays, held, send) } } else if held.rows > 0 { { nobody_yet(held) } }
-            if !card.differences.is_empty() { { what_differs(&card.differences, send) } }
+            if !card.differences.is_empty() { { what_differs(card, send) } }
             if !is_numbered {
                 { for card.witness.iter().map(|(title, happenings)| witness(title, happenings, send)) }
             }
@@ -149,7 +149,7 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
 }
 
 /// The times at which the plans begin to differ: pressing one shows it.
-fn what_differs(rows: &[DifferenceRow], send: &Callback<Action>) -> Html {
+fn what_differs(card: &Card, send: &Callback<Action>) -> Html {
     let row = |row: &DifferenceRow| {
         let time = row.time;
         html! {
@@ -163,7 +163,8 @@ fn what_differs(rows: &[DifferenceRow], send: &Callback<Action>) -> Html {
     html! {
         <section>
             <h3>{ tr!("What differs") }</h3>
-            <ul class="repairs">{ for rows.iter().map(row) }</ul>
+            <ul class="repairs">{ for card.differences.iter().map(row) }</ul>
+            if let Some(more) = &card.more_differences { <p class="remark">{ more.clone() }</p> }
         </section>
     }
 }

@@ -46,13 +46,14 @@ fn Progress(props: &ProgressProps) -> Html {
         });
     }
     let bar = |layer: &LayerStep| {
-        let class = match layer.reached {
-            Reached::Done => "done",
-            Reached::Now => "now",
-            Reached::Ahead => "ahead",
+        let (class, state) = match layer.reached {
+            Reached::Done => ("done", tr!("a step of a search is" => "done")),
+            Reached::Now => ("now", tr!("a step of a search is" => "at work")),
+            Reached::Partly => ("partly", tr!("a step of a search is" => "partly done")),
+            Reached::Ahead => ("ahead", tr!("a step of a search is" => "open")),
         };
         let now = (layer.reached == Reached::Now).then_some("step");
-        html! { <li {class} aria-current={now}><i></i><span>{ layer.name }</span></li> }
+        html! { <li {class} aria-current={now}><i></i><span>{ layer.name }</span><span class="vh">{ ": " }{ state }</span></li> }
     };
     html! {
         <div class="coming">

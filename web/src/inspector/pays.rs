@@ -20,8 +20,8 @@ pub(super) fn verdict_card(verdict: &VerdictPart, send: &Callback<Action>) -> Ht
     let is_titled = title != badge.word && !badge.word.is_empty();
     html! {
         <div class={classes!("verdict", badge.class)}>
-            <p class="vb">
-                { icon::show(badge.icon) }<b>{ title.clone() }</b>
+            <div class="vb">
+                { icon::show(badge.icon) }<h3>{ title.clone() }</h3>
                 if is_titled || claim.is_some() {
                     <span class="vh">{ ". " }</span>
                     <em>
@@ -31,7 +31,7 @@ pub(super) fn verdict_card(verdict: &VerdictPart, send: &Callback<Action>) -> Ht
                     </em>
                     <span class="vh">{ ". " }</span>
                 }
-            </p>
+            </div>
             <p class="vs">
                 if pieces.is_empty() { { sentence.clone() } }
                 { for pieces.iter().map(|it| piece(it, send)) }
@@ -66,7 +66,7 @@ fn piece(piece: &Piece, send: &Callback<Action>) -> Html {
 /// What could be done instead: pressing a row makes it the other plan.
 pub(super) fn it_could(could: &[CouldRow], held: Html, send: &Callback<Action>) -> Html {
     let row = |row: &CouldRow| {
-        let chosen = (!row.is_chosen).then_some(row.index);
+        let chosen = row.index.filter(|_| !row.is_chosen);
         html! {
             <li><button type="button" class={classes!("could", row.is_chosen.then_some("on"))} aria-pressed={row.is_chosen.to_string()}
                 onclick={send.reform(move |_| Action::Ask(AskAction::Choose(chosen)))}>

@@ -86,6 +86,7 @@ fn led(state: &State, facts: &Facts, send: &Callback<Action>) -> Html {
                     <ul class="to-do">{ for facts.to_do.iter().map(open) }</ul>
                 </section>
             }
+            if let Some(count) = &facts.count { <p class="remark">{ count.clone() }</p> }
             <section>
                 <h3>{ if facts.to_do.is_empty() { tr!("Costs") } else { tr!("Costs so far") } }</h3>
                 { pays::costs(&facts.rows, tr!("Costs of both plans"), [tr!("Plan"), tr!("Yours")]) }

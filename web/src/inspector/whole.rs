@@ -6,7 +6,9 @@ use giveway_model::tr;
 use giveway_page::audit::question;
 use giveway_page::changing::history;
 use giveway_page::inspect::{CostFacts, whole};
-use giveway_page::{Action, Answer, AskAction, BoardAction, Draft, Selection, ask, words};
+use giveway_page::{
+    Action, Answer, AskAction, BoardAction, Draft, Selection, ask, found_better, words,
+};
 use yew::prelude::*;
 
 use super::{audit, change, edit, freedom, front, ledger, order, planners, proof, rules, sizing};
@@ -37,6 +39,12 @@ pub(super) fn show(state: &Shown, send: &Callback<Action>) -> Html {
                 { for facts.claims.iter().map(|claim| html! { <p class="claim">{ claim.clone() }</p> }) }
                 if let Some(work) = facts.work {
                     <p class="remark">{ work }</p>
+                }
+                if let Some(found) = found_better(state) {
+                    <p class="claim">{ found }</p>
+                    <button type="button" class="btn outline more" onclick={send.reform(|_: MouseEvent| Action::Ask(AskAction::TakeFound))}>
+                        { icon::show("check") }{ tr!("Use this plan") }
+                    </button>
                 }
                 { proof::show(state, send) }
                 { audit::begin(question(state), send) }

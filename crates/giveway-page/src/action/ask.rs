@@ -27,6 +27,8 @@ pub enum AskAction {
     Unfold,
     /// Make the other plan the plan.
     TakeOther,
+    /// Make the better plan that a question found the plan, after the question was left.
+    TakeFound,
     /// Make the edits of a repair, by its index.
     TakeRepair(usize),
 }

@@ -17,7 +17,7 @@ pub use card::{
     LayerStep, Offered, Other, Piece, Reached, VerdictPart, WhoPays, card, closeness,
     offers_next_step,
 };
-pub(crate) use card::{instead, layers, numbers_facts, numbers_groups};
+pub(crate) use card::{instead, layers, numbers_facts, numbers_groups, other_name};
 use giveway_model::{Cost, Question, question::fits, tr};
 
 use crate::{Answer, Selection, State, words};

@@ -37,7 +37,9 @@ pub use minimap::{Minimap, dots};
 pub use names::{CellNames, Window};
 pub use nose::{Nose, degrees, nose, quarter};
 pub(crate) use place::place_of;
-pub use reasons::{Instead, Later, Place, Reasons, Spot, SpotSign, Try, lit, reasons};
+pub use reasons::{
+    Instead, Later, Place, Reasons, Spot, SpotSign, Try, lit, reasons, reasons_beside,
+};
 pub use rules::{
     KeptShape, LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, kept_free,
     rule_shapes, rules_now,

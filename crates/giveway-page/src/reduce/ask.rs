@@ -48,6 +48,11 @@ pub(super) fn questions(state: &mut State, action: AskAction) {
         AskAction::Choose(variation) => change(state, |asking| asking.choose(variation)),
         AskAction::Unfold => change(state, |asking| asking.is_unfolded = true),
         AskAction::TakeOther => take_other(state),
+        AskAction::TakeFound => {
+            if let Some(better) = state.found_better().cloned() {
+                take(state, better);
+            }
+        }
         AskAction::TakeRepair(index) => take_repair(state, index),
     }
 }
@@ -156,7 +161,9 @@ fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
 /// More became known. Why there is no plan stays known after the question is left.
 pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
     change(state, |asking| asking.learn(answer));
+    let before = state.view.found.take();
     let asking = state.document.mode.asking();
+    state.view.found = asking.and_then(|asking| asking.kept(before));
     let asking = asking.filter(|it| *it.question() == Question::Unsolvable && it.can_be_repaired());
     let core = asking.and_then(|asking| asking.told.as_deref()?.core.clone());
     if let Some(core) = core {
@@ -204,13 +211,17 @@ fn light(state: &mut State, lit: Option<Lit>) {
 fn take_other(state: &mut State) {
     let asking = state.document.mode.asking();
     if let Some(other) = asking.and_then(|asking| asking.other.clone()) {
-        let document = Document {
-            answer: Some(other),
-            mode: Mode::default(),
-            ..state.document.clone()
-        };
-        put(state, document);
+        take(state, other);
     }
+}
+
+fn take(state: &mut State, plan: Rc<Answer>) {
+    let document = Document {
+        answer: Some(plan),
+        mode: Mode::default(),
+        ..state.document.clone()
+    };
+    put(state, document);
 }
 
 /// Makes the edits of a repair, as one step of undo, and shows its plan while

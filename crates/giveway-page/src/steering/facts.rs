@@ -33,6 +33,8 @@ pub struct Facts {
     pub more: usize,
     /// What is not done yet.
     pub to_do: Vec<String>,
+    /// How many problems the plan has as it stands, in a sentence; nothing where it has none.
+    pub count: Option<String>,
     /// The costs of the plan that it began with, and of this one.
     pub rows: Vec<CostRow>,
 }
@@ -85,7 +87,26 @@ pub fn facts(state: &State) -> Option<Facts> {
         breaks: breaks.filter(|_| steering.can_go_back()),
         more: steering.violations.len().saturating_sub(MOST),
         to_do: to_do.map(|open| open.message.clone()).collect(),
+        count: count(steering),
         rows: rows(steering),
+    })
+}
+
+/// The same number as the answer to what is wrong with the plan, and what it is made of.
+fn count(steering: &Steering) -> Option<String> {
+    let all = steering.problems();
+    if all == 0 {
+        return None;
+    }
+    let count = tr!("As it stands, the plan has {n} problem."
+        | "As it stands, the plan has {n} problems." % all);
+    let follows = steering.follows;
+    Some(if follows == 0 {
+        count
+    } else {
+        let why = tr!("{n} of them goes away once a robot is led on."
+            | "{n} of them go away once robots are led on." % follows);
+        format!("{count} {why}")
     })
 }
 

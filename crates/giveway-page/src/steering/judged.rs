@@ -22,13 +22,16 @@ impl Steering {
         let made = without_pending(&plan, about.draft.agents(), &from);
         let report = check(instance, &made);
         let answer = answer(about, instance, made, &report);
+        let all = report.violations.len();
         let (to_do, violations) = sorted(report);
+        let follows = all.saturating_sub(to_do.len() + violations.len());
         Some(Self {
             about: Rc::clone(about),
             agent,
             answer: Rc::new(open_ended(answer, &to_do)),
             violations,
             to_do,
+            follows,
             told: Sentence::default(),
             plan,
             from,
@@ -52,7 +55,12 @@ impl Steering {
 
     /// Whether every agent does its task, and none breaks a rule.
     pub const fn is_whole(&self) -> bool {
-        self.violations.is_empty() && self.to_do.is_empty()
+        self.problems() == 0
+    }
+
+    /// How many problems the judge finds in the plan as it stands.
+    pub(crate) const fn problems(&self) -> usize {
+        self.violations.len() + self.to_do.len() + self.follows
     }
 
     /// Whether a violation is to be seen at a time: a step lasts.

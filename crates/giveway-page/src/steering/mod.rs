@@ -50,6 +50,8 @@ pub struct Steering {
     pub violations: Vec<Violation>,
     /// What is not done yet: goals that are not reached, waypoints that are left out.
     pub to_do: Vec<Violation>,
+    /// How many problems there are only while agents stay where they have been led to.
+    pub(crate) follows: usize,
     /// What the last step brought, or why it was not made; empty where there is
     /// nothing to tell.
     pub told: Sentence,

@@ -8,6 +8,17 @@ use super::Card;
 use crate::ask::signs::pending;
 use crate::{Asking, State};
 
+/// All parts of an answer.
+const PARTS: [Part; 7] = [
+    Part::Here,
+    Part::Near,
+    Part::Verdict,
+    Part::Closest,
+    Part::Witness,
+    Part::Core,
+    Part::Repairs,
+];
+
 /// So many robots have a place in the table before it is known who pays.
 const ROWS: u32 = 5;
 
@@ -40,6 +51,8 @@ pub enum Reached {
     Done,
     /// It is looked for.
     Now,
+    /// A part of it stands; the rest comes later, or does not come any more.
+    Partly,
     /// It comes later, or does not come any more.
     Ahead,
 }
@@ -149,19 +162,9 @@ pub(super) fn coming(state: &State, asking: &Asking, card: &Card) -> Option<Comi
         return None;
     }
     let layers = layers(asking.question());
-    let is_pending = |layer: Layer| {
-        told.is_none_or(|told| told.pending.iter().any(|&part| layer_of(part) == layer))
-    };
-    let first = layers.iter().copied().find(|&layer| is_pending(layer));
     let steps = layers.iter().map(|&layer| LayerStep {
         name: name(layer),
-        reached: if !is_pending(layer) {
-            Reached::Done
-        } else if is_looking && first == Some(layer) {
-            Reached::Now
-        } else {
-            Reached::Ahead
-        },
+        reached: reached(told, &layers, layer, is_looking),
     });
     let doing = match next {
         _ if !is_looking && next.is_some() => tr!("the search for an answer was" => "Stopped"),
@@ -179,6 +182,28 @@ pub(super) fn coming(state: &State, asking: &Asking, card: &Card) -> Option<Comi
             Held::default()
         },
     })
+}
+
+/// How far a layer has come: parts are pending in the order in which they are looked for.
+fn reached(
+    told: Option<&ExplainAnswer>,
+    layers: &[Layer],
+    layer: Layer,
+    is_looking: bool,
+) -> Reached {
+    let now = match told {
+        Some(told) => told.pending.first().map(|&part| layer_of(part)),
+        None => layers.first().copied(),
+    };
+    let is_pending = |part: Part| told.is_none_or(|told| told.pending.contains(&part));
+    let parts = PARTS.into_iter().filter(|&part| layer_of(part) == layer);
+    let (pending, done): (Vec<Part>, Vec<Part>) = parts.partition(|&part| is_pending(part));
+    match pending.len() {
+        0 => Reached::Done,
+        _ if is_looking && now == Some(layer) => Reached::Now,
+        _ if !done.is_empty() => Reached::Partly,
+        _ => Reached::Ahead,
+    }
 }
 
 /// Whether a better answer may come of a longer search.

@@ -1,9 +1,12 @@
 //! What could be done instead: small variations of the plan, a row for each kind, the cheapest first.
 
-use giveway_model::{Cell, Cost, tr};
-use giveway_solve::explain::{Near, Variation, VariationKind};
+use std::collections::BTreeMap;
 
-use crate::{Asking, words};
+use giveway_model::{Cell, Cost, tr};
+use giveway_solve::explain::{AgentDifference, Near, Variation, VariationKind, Verdict};
+
+use crate::beside::same_walks;
+use crate::{Asking, State, words};
 
 /// The most cells that are marked on the board.
 const CELLS: usize = 40;
@@ -11,8 +14,8 @@ const CELLS: usize = 40;
 /// What could be done instead, in a row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CouldRow {
-    /// The variation, by its place among those of the answer.
-    pub index: usize,
+    /// The variation, by its place among those of the answer; `None`: the best other plan.
+    pub index: Option<usize>,
     /// The icon of its kind.
     pub icon: &'static str,
     /// What.
@@ -32,6 +35,8 @@ pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
     let Some(near) = near(asking) else {
         return Vec::new();
     };
+    let chosen = asking.variation();
+    let best = best(asking, near);
     let mut rows: Vec<CouldRow> = Vec::new();
     let mut seen: Vec<(VariationKind, Option<&String>)> = Vec::new();
     for (index, it) in near.variations.iter().enumerate() {
@@ -44,19 +49,68 @@ pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
             VariationKind::Elsewhere => cells(near, it).len(),
             VariationKind::OtherWay | VariationKind::Swapped | VariationKind::Others => 0,
         };
-        let (difference, is_costlier) = difference(asking, it);
-        let chosen = asking.chosen.and_then(|chosen| near.variations.get(chosen));
+        let (difference, is_costlier) = difference(asking, &it.deltas, false);
         rows.push(CouldRow {
-            index,
+            index: Some(index),
             icon: icon(it.kind),
             text: text(it, places),
             detail: detail(it),
             difference,
             is_costlier,
-            is_chosen: chosen.is_some_and(|chosen| (chosen.kind, chosen.other.as_ref()) == kind),
+            is_chosen: match chosen {
+                Some(chosen) => (chosen.kind, chosen.other.as_ref()) == kind,
+                None => best.is_some_and(|best| (best.kind, best.other.as_ref()) == kind),
+            },
         });
     }
+    if let Some(row) = own_row(asking, near, best) {
+        rows.insert(0, row);
+    }
     rows
+}
+
+/// The variation that is the best other plan, where one is.
+fn best<'a>(asking: &Asking, near: &'a Near) -> Option<&'a Variation> {
+    let best = asking.told.as_deref()?.alternative.as_ref()?;
+    let agents = asking.about.agents();
+    let is_best = |it: &&Variation| {
+        let plan = asking.varied(it);
+        plan.is_some_and(|plan| same_walks(&plan, best, agents))
+    };
+    near.variations.iter().find(is_best)
+}
+
+/// The row of the best other plan, where it is no variation and none costs less.
+fn own_row(asking: &Asking, near: &Near, is_variation: Option<&Variation>) -> Option<CouldRow> {
+    let told = asking.told.as_deref().filter(|_| is_variation.is_none())?;
+    told.alternative.as_ref()?;
+    let objective = asking.objective();
+    let (own, cheapest) = (told.costs?, near.variations.first()?.costs);
+    if cheapest.vector(objective) < own.vector(objective) {
+        return None;
+    }
+    let is_least = is_done(asking) && told.verdict != Verdict::Unknown;
+    let (difference, is_costlier) = difference(asking, &told.deltas, is_least);
+    Some(CouldRow {
+        index: None,
+        icon: "compare",
+        text: if is_done(asking) {
+            tr!("The best that was found").to_owned()
+        } else {
+            tr!("The best found so far").to_owned()
+        },
+        detail: told.pays.first().and_then(later).unwrap_or_else(nobody),
+        difference,
+        is_costlier,
+        is_chosen: asking.chosen.is_none(),
+    })
+}
+
+/// The name of a question's other plan, where a person can choose: the same on its board as in
+/// the answer.
+pub(crate) fn other_name(state: &State) -> Option<String> {
+    let asking = state.document.mode.asking()?;
+    which(asking, &could(asking))
 }
 
 /// Which plan is the other one, where a person can choose: a row of these, or the best that is
@@ -66,15 +120,19 @@ pub(super) fn which(asking: &Asking, rows: &[CouldRow]) -> Option<String> {
         return None;
     }
     let chosen = rows.iter().find(|row| row.is_chosen);
-    let is_proved = asking
-        .told
-        .as_deref()
-        .is_some_and(|told| told.pending.is_empty());
     Some(match chosen {
-        Some(row) => row.text.clone(),
-        None if is_proved => tr!("another plan" => "the best that was found").to_owned(),
-        None => tr!("another plan" => "the best found so far").to_owned(),
+        Some(row) if row.index.is_some() => row.text.clone(),
+        Some(_) | None if is_done(asking) => {
+            tr!("another plan" => "the best that was found").to_owned()
+        }
+        Some(_) | None => tr!("another plan" => "the best found so far").to_owned(),
     })
+}
+
+/// Whether nothing is looked for any more.
+fn is_done(asking: &Asking) -> bool {
+    let told = asking.told.as_deref();
+    told.is_some_and(|told| told.pending.is_empty())
 }
 
 /// The cells at which the wait costs as little as at the cheapest, each with whether it is the one
@@ -87,7 +145,7 @@ pub(crate) fn instead(asking: &Asking) -> Vec<(Cell, bool)> {
     let Some(first) = variations.find(|it| it.kind == VariationKind::Elsewhere) else {
         return Vec::new();
     };
-    let chosen = asking.chosen.and_then(|chosen| near.variations.get(chosen));
+    let chosen = asking.variation().or_else(|| best(asking, near));
     let lit = chosen.map_or(first.cell, |chosen| chosen.cell);
     let cells = cells(near, first).into_iter().take(CELLS);
     cells.map(|cell| (cell, Some(cell) == lit)).collect()
@@ -139,27 +197,38 @@ fn text(it: &Variation, places: usize) -> String {
 
 /// Who arrives later by most; where the first wait would be.
 fn detail(it: &Variation) -> String {
-    let late = it.pays.first().filter(|late| late.other > late.arrival);
+    let late = it.pays.first().and_then(later);
     match (late, it.cell, it.from) {
-        (Some(late), ..) => tr!(
-            "{name} arrives at {other}, {n} later",
-            name = late.agent,
-            other = late.other,
-            n = late.other - late.arrival
-        ),
+        (Some(late), ..) => late,
         (None, Some(cell), Some(time)) => {
             tr!("closest: {cell} at {time}", cell = words::at(cell), time)
         }
-        (None, ..) => tr!("nobody arrives later").to_owned(),
+        (None, ..) => nobody(),
     }
 }
 
-/// The first cost of the objective that differs, and whether it grows.
-fn difference(asking: &Asking, it: &Variation) -> (String, bool) {
+fn later(late: &AgentDifference) -> Option<String> {
+    let n = late.other.checked_sub(late.arrival).filter(|&n| n > 0)?;
+    Some(tr!(
+        "{name} arrives at {other}, {n} later",
+        name = late.agent,
+        other = late.other,
+        n
+    ))
+}
+
+fn nobody() -> String {
+    tr!("nobody arrives later").to_owned()
+}
+
+/// The first cost of the objective that differs, and whether it grows. Unless it is proved to be
+/// least, it is a bound.
+fn difference(asking: &Asking, deltas: &BTreeMap<Cost, i64>, is_least: bool) -> (String, bool) {
     let costs = asking.objective().costs().iter();
-    let delta = |cost: &Cost| it.deltas.get(cost).copied().filter(|&delta| delta != 0);
+    let delta = |cost: &Cost| deltas.get(cost).copied().filter(|&delta| delta != 0);
     match costs.copied().find_map(|cost| Some((cost, delta(&cost)?))) {
         None => (tr!("a cost is the" => "same").to_owned(), false),
+        Some((cost, more)) if more > 0 && is_least => (words::by(cost, more), true),
         Some((cost, more)) if more > 0 => (tr!("at most {by}", by = words::by(cost, more)), true),
         Some((cost, less)) => (words::by(cost, less), false),
     }

@@ -5,12 +5,16 @@ mod coming;
 mod costs;
 mod could;
 mod groups;
+mod heading;
 mod late;
 mod parts;
 mod pays;
 mod pieces;
 mod verdict;
 
+use std::collections::BTreeSet;
+
+use giveway_model::words::and;
 use giveway_model::{Question, tr};
 use giveway_solve::explain::{
     Core, ExplainAnswer, Fact, Layer, edits_in_words, facts_claim, facts_title, helps_mark,
@@ -25,7 +29,7 @@ pub(crate) use coming::layers;
 pub use coming::{Coming, Held, LayerStep, Reached};
 pub use costs::CostRow;
 pub use could::CouldRow;
-pub(crate) use could::instead;
+pub(crate) use could::{instead, other_name};
 pub(crate) use groups::numbers_groups;
 pub use groups::{GroupMark, GroupRow};
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
@@ -35,6 +39,9 @@ use coming::coming;
 use could::could;
 use pays::pays;
 use verdict::verdict;
+
+/// The most robots that are named as those about whom a reason is.
+const MOST_OTHERS: usize = 4;
 
 /// The most things that go wrong that are told one by one.
 const HAPPENINGS: usize = 30;
@@ -50,6 +57,7 @@ pub fn card(state: &State) -> Option<Card> {
         could: could(asking),
         other: None,
         differences: beside::rows(state),
+        more_differences: beside::more_rows(state),
         witness: Vec::new(),
         cores: Vec::new(),
         repairs: Vec::new(),
@@ -130,7 +138,7 @@ fn facts(state: &State, asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     let sets = told.core.iter().flat_map(Core::sets).enumerate();
     sets.map(|(set, core)| Facts {
         title: facts_title(told.verdict, core, set > 0),
-        claim: facts_claim(&told.question, told.verdict, core),
+        claim: claim(told, core, set),
         groups: if set == 0 {
             groups::groups(asking, core)
         } else {
@@ -153,6 +161,45 @@ fn facts(state: &State, asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
             .collect(),
     })
     .collect()
+}
+
+/// The claim of a set; of the first one also whom it is about, where the plan lets others pass.
+fn claim(told: &ExplainAnswer, core: &Core, set: usize) -> String {
+    let claim = facts_claim(&told.question, told.verdict, core);
+    match about_others(told, core).filter(|_| set == 0) {
+        Some(others) => format!("{claim} {others}"),
+        None => claim,
+    }
+}
+
+/// Whom the facts are about, where they name none of the robots that are let pass.
+fn about_others(told: &ExplainAnswer, core: &Core) -> Option<String> {
+    let (asked, passing) = (told.question.agent()?, late::let_pass(told));
+    let named = core.facts.iter().flat_map(|fact| &fact.agents);
+    let named: BTreeSet<&String> = named.filter(|name| *name != asked).collect();
+    if passing.is_empty() || named.is_empty() || passing.iter().any(|name| named.contains(name)) {
+        return None;
+    }
+    let mut others: Vec<&String> = named.into_iter().collect();
+    let more = others.len().saturating_sub(MOST_OTHERS);
+    others.truncate(MOST_OTHERS);
+    let (passing, others) = (and(&passing), and(&others));
+    Some(if more == 0 {
+        tr!(
+            "{asked} lets {passing} pass here; what decides lies between {asked} and {others}.",
+            passing,
+            asked,
+            others
+        )
+    } else {
+        tr!(
+            "{asked} lets {passing} pass here; what decides lies between {asked}, {others} and {more} more.",
+            passing,
+            asked,
+            others,
+            more
+        )
+    })
 }
 
 /// The rule that a fact is, where there is no plan and it can be loosened in the list of rules.

@@ -24,6 +24,8 @@ pub struct Card {
     pub other: Option<Other>,
     /// Where the two plans differ, while both are shown.
     pub differences: Vec<DifferenceRow>,
+    /// How many more differences there are, in words.
+    pub more_differences: Option<String>,
     /// What would go wrong, under its headings.
     pub witness: Vec<(String, Vec<Happening>)>,
     /// What together makes it impossible.
@@ -45,7 +47,7 @@ pub struct Card {
 pub struct VerdictPart {
     /// Its word, icon and class.
     pub badge: Badge,
-    /// What it comes to, in a few words; the word of the badge where no more is known.
+    /// What it comes to: a sentence of few words.
     pub title: String,
     /// How far it is proved, in a few words.
     pub claim: Option<String>,

@@ -4,6 +4,7 @@
 use giveway_model::{Cost, Question, check, condition::Clause, tr};
 use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Part, Verdict};
 
+use super::heading::heading;
 use super::late::{late, who_is_late};
 use super::parts::VerdictPart;
 use super::pieces::pieces;
@@ -21,9 +22,7 @@ pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> O
         // Nothing is unknown for good yet.
         badge.word = "";
     }
-    let title = title(asking, told);
-    let title = title.or_else(|| is_coming.then(|| tr!("What this plan shows").to_owned()));
-    let title = title.unwrap_or_else(|| badge.word.to_owned());
+    let title = title(asking, told).unwrap_or_else(|| heading(told));
     let sentence = if is_coming {
         so_far(asking, told)
     } else {
@@ -32,7 +31,12 @@ pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> O
     let here = told.here.as_ref().map(|here| here.words.as_str());
     let sentence = sentence.or_else(|| {
         let said = verdict_words(state, asking, told);
-        (!said.is_empty()).then(|| words::unnested(&said))
+        // All that is known in words begins with what the plan shows.
+        let said = here
+            .and_then(|here| said.strip_prefix(here))
+            .unwrap_or(&said);
+        let said = said.trim_start();
+        (!said.is_empty()).then(|| words::unnested(said))
     });
     // What the plan shows was said first, and keeps its place.
     let sentences = here.into_iter().chain(sentence.as_deref());
@@ -72,18 +76,18 @@ fn saved(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
     let (this, other) = (this.get(cost), other.get(cost));
     Some(match cost {
         Cost::Makespan => tr!(
-            "In the other plan all robots are done at {other} instead of {this}.",
+            "All robots could be done at {other} instead of {this}.",
             other,
             this
         ),
         Cost::SumOfCosts | Cost::Penalty => tr!(
-            "In the other plan the {cost} is {other} instead of {this}.",
+            "The {cost} could be {other} instead of {this}.",
             cost = words::name(cost),
             other,
             this
         ),
         Cost::Charges | Cost::Moves | Cost::Waits => tr!(
-            "The other plan has {other} instead of {this}.",
+            "There could be {other} instead of {this}.",
             other = words::value(cost, other),
             this
         ),
@@ -155,7 +159,7 @@ fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
         Verdict::Necessary if matches!(told.question, Question::Rule { .. }) => {
             Some(tr!("It cannot be so").to_owned())
         }
-        Verdict::Necessary => Some(tr!("There is no other way").to_owned()),
+        Verdict::Necessary => None,
         // The other plan is the best one that was found: another may cost less.
         Verdict::Unknown => at_most(asking, told),
     }

@@ -1,13 +1,15 @@
 //! Where the groups of facts are that force an answer.
 
+use std::rc::Rc;
+
 use giveway_model::Cell;
 use giveway_solve::explain::{ExplainAnswer, FactGroupKind};
 
-use super::super::place_of;
+use super::super::place::place_in;
 use super::super::star::middle;
-use super::{Place, Reasons, Spot, SpotSign, apart, corner, would_be};
+use super::{Place, Reasons, Spot, SpotSign, apart, corner};
 use crate::ask::GroupMark;
-use crate::{Asking, Lit, State};
+use crate::{Answer, Asking, Lit, State};
 
 /// Numbers of the groups of facts; the cells and robots of the one that is lit up.
 pub(super) fn in_groups(
@@ -15,9 +17,8 @@ pub(super) fn in_groups(
     asking: &Asking,
     told: &ExplainAnswer,
     state: &State,
+    plan: Option<&Rc<Answer>>,
 ) {
-    let violations = asking.violations().map(|(_, violation)| violation);
-    would_be(reasons, violations);
     let Some(core) = &told.core else { return };
     let agents = state.world().agents();
     let index = |name: &String| agents.iter().position(|agent| agent.name == *name);
@@ -28,7 +29,7 @@ pub(super) fn in_groups(
         let at = match (middle_of(&group.cells), robot) {
             (Some(cell), _) => Some(middle(cell)),
             (None, Some(robot)) if group.kind == FactGroupKind::Agent => {
-                place_of(state, robot).map(|cell| corner(middle(cell)))
+                place_in(state, plan, robot).map(|cell| corner(middle(cell)))
             }
             (None, _) => None,
         };

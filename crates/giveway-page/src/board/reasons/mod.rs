@@ -1,6 +1,7 @@
 //! Where the reasons of an answer are on the map.
 
 mod audit;
+mod beside;
 mod groups;
 mod numbers;
 
@@ -12,6 +13,8 @@ use super::{CELL, ConflictPlace};
 use crate::ask::{instead, numbers_facts, numbers_groups};
 use crate::steering::Steering;
 use crate::{Asking, Lit, State};
+
+pub use beside::reasons_beside;
 
 use audit::in_audit;
 use groups::in_groups;
@@ -139,7 +142,9 @@ pub fn reasons(state: &State) -> Reasons {
         .map(|(cell, is_first)| Instead { cell, is_first })
         .collect();
     if numbers_groups(asking) {
-        in_groups(&mut reasons, asking, told, state);
+        let violations = asking.violations().map(|(_, violation)| violation);
+        would_be(&mut reasons, violations);
+        in_groups(&mut reasons, asking, told, state, state.shown());
         return reasons;
     }
     if told.witness.is_empty() {

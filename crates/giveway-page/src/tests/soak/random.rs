@@ -182,7 +182,7 @@ impl Session {
         let cell = self.cell();
         let agents = self.state.document.draft.agents();
         let name = agents.first().map_or_else(String::new, |a| a.name.clone());
-        match self.rng.u8(0..13) {
+        match self.rng.u8(0..14) {
             0 => AskAction::Ask(Question::Makespan),
             1 => AskAction::Ask(Question::Unsolvable),
             2 => AskAction::Ask(Question::Plan),
@@ -197,6 +197,7 @@ impl Session {
             8 => AskAction::TakeRepair(self.rng.usize(0..2)),
             9 => AskAction::GoTo(cell),
             10 => AskAction::Group(self.rng.usize(0..3)),
+            12 => AskAction::TakeFound,
             11 => AskAction::Choose(self.rng.bool().then_some(self.rng.usize(0..3))),
             _ => AskAction::Again,
         }

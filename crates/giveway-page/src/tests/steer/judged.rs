@@ -7,7 +7,7 @@ use super::{DOWN, RIGHT, WAIT, leading, path, told};
 use crate::board::reasons;
 use crate::reduce::tests::after;
 use crate::tests::answered;
-use crate::{Action, AskAction, Phase, SolveAction, ask};
+use crate::{Action, AskAction, Phase, SolveAction, State, ask};
 
 #[test]
 fn who_is_not_at_its_goal_yet_is_in_nobodys_way_later() {
@@ -40,6 +40,35 @@ fn who_is_not_at_its_goal_yet_is_in_nobodys_way_later() {
         spots.iter().map(|spot| spot.number).collect::<Vec<_>>(),
         [1, 2]
     );
+}
+
+/// What is against the rules now, not done yet, and only so until robots are led on: their number
+/// is that of the answer.
+#[test]
+fn the_problems_are_counted_once() {
+    let count = |state: &State| {
+        let facts = told(state);
+        let checked = answered(&after(state, [Action::Ask(AskAction::Ask(Question::Plan))]));
+        let card = ask::card(&checked).unwrap();
+        let listed: usize = card.witness.iter().map(|(_, all)| all.len()).sum();
+        let heading = card.verdict.unwrap().title;
+        (facts, listed, heading)
+    };
+    let (facts, listed, heading) = count(&after(&leading(0, 0), [DOWN]));
+    assert_eq!(
+        (facts.violations.len(), facts.to_do.len(), listed),
+        (0, 1, 2)
+    );
+    assert_eq!(heading, "The plan has 2 problems");
+    assert_eq!(
+        facts.count.unwrap(),
+        "As it stands, the plan has 2 problems. 1 of them goes away once a robot is led on."
+    );
+    let (facts, listed, heading) = count(&after(&leading(0, 0), [DOWN, RIGHT]));
+    assert_eq!(heading, format!("The plan has {listed} problems"));
+    let counted = format!("As it stands, the plan has {listed} problems.");
+    assert!(facts.count.unwrap().starts_with(&counted));
+    assert_eq!(told(&leading(0, 4)).count, None);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Questions: asked, answered bit by bit, left, and what is taken from them.
 
+mod kept;
+mod names;
 mod nearby;
 mod pays;
 mod taken;
@@ -123,5 +125,16 @@ fn answered(state: &State) -> State {
     after(
         state,
         [Action::Worker(WorkerAction::Respond { job: run, response })],
+    )
+}
+
+fn hear(state: &State, answer: ExplainAnswer) -> State {
+    let event = Progress::Explained {
+        answer: Box::new(answer),
+    };
+    let job = id(state);
+    after(
+        state,
+        [Action::Worker(WorkerAction::Progress { job, event })],
     )
 }

@@ -3,18 +3,17 @@
 use std::collections::BTreeMap;
 
 use giveway_model::{Cell, Cost, Costs};
-use giveway_solve::Progress;
 use giveway_solve::explain::{
     AgentDifference, Core, ExplainAnswer, Fact, FactGroup, FactGroupKind, FactKind, Helps, Here,
     Near, Part, Variation, VariationKind, Verdict,
 };
 
-use super::{asked, id, told};
+use super::{asked, hear, told};
 use crate::ask::{GroupMark, Piece, card};
 use crate::board::{SpotSign, reasons};
 use crate::reduce::tests::after;
 use crate::sample::reach;
-use crate::{Action, AskAction, SolveAction, State, WorkerAction};
+use crate::{Action, AskAction, SolveAction, State};
 
 /// A wait elsewhere that makes A2 so much later.
 fn slide(state: &State, cell: Cell, more: u32) -> Variation {
@@ -85,17 +84,6 @@ fn near(state: &State, more: u32, variations: Vec<Variation>) -> ExplainAnswer {
         ],
         ..told(state)
     }
-}
-
-fn hear(state: &State, answer: ExplainAnswer) -> State {
-    let event = Progress::Explained {
-        answer: Box::new(answer),
-    };
-    let job = id(state);
-    after(
-        state,
-        [Action::Worker(WorkerAction::Progress { job, event })],
-    )
 }
 
 fn title(state: &State) -> String {

@@ -9,7 +9,7 @@ use crate::ask::{Card, card};
 use crate::reduce::tests::after;
 use crate::{Action, AskAction, State, WorkerAction};
 
-fn differs(agent: &str, arrival: u32, other: u32) -> AgentDifference {
+pub(super) fn differs(agent: &str, arrival: u32, other: u32) -> AgentDifference {
     AgentDifference {
         agent: agent.to_owned(),
         arrival,
@@ -19,7 +19,7 @@ fn differs(agent: &str, arrival: u32, other: u32) -> AgentDifference {
     }
 }
 
-fn respond(state: &State, answer: ExplainAnswer) -> State {
+pub(super) fn respond(state: &State, answer: ExplainAnswer) -> State {
     let response = Box::new(Response::Explained(Box::new(answer)));
     let job = id(state);
     after(
@@ -29,7 +29,7 @@ fn respond(state: &State, answer: ExplainAnswer) -> State {
 }
 
 /// The card of an answer that was changed.
-fn card_of(change: impl FnOnce(&mut ExplainAnswer)) -> Card {
+pub(super) fn card_of(change: impl FnOnce(&mut ExplainAnswer)) -> Card {
     let state = asked();
     let mut answer = told(&state);
     answer.pending = Vec::new();
@@ -109,7 +109,10 @@ fn a_needless_answer_says_how() {
     );
     assert_eq!(title(&[How::Free], &question()), "It was for nothing");
     // An answer of an older program tells no how.
-    assert_eq!(title(&[], &wait), "Needless");
+    assert_eq!(
+        title(&[], &wait),
+        "Another plan that costs the same does without it"
+    );
 }
 
 #[test]
@@ -183,14 +186,14 @@ fn a_better_plan_says_what_it_saves() {
     });
     let verdict = card.verdict.unwrap();
     assert_eq!(verdict.title, "All can be done 2 steps sooner");
-    let saved = "In the other plan all robots are done at 16 instead of 18.";
+    let saved = "All robots could be done at 16 instead of 18.";
     assert_eq!(verdict.sentence, saved);
     let charges = card_of(|answer| {
         answer.verdict = Verdict::Improvable;
         answer.deltas = [(Cost::Makespan, 0), (Cost::Charges, -1)].into();
         answer.costs.as_mut().unwrap().charges = 2;
     });
-    let saved = "The other plan has 2 charges instead of 3.";
+    let saved = "There could be 2 charges instead of 3.";
     assert_eq!(charges.verdict.unwrap().sentence, saved);
 }
 
@@ -262,5 +265,6 @@ fn a_plan_that_is_not_proved_best_is_a_bound() {
         answer.costs = None;
     });
     let verdict = nothing.verdict.unwrap();
-    assert_eq!((verdict.title.as_str(), verdict.claim), ("Not known", None));
+    let open = "It is not known whether it could be otherwise";
+    assert_eq!((verdict.title.as_str(), verdict.claim), (open, None));
 }
