@@ -186,16 +186,16 @@ fn about_others(told: &ExplainAnswer, core: &Core) -> Option<String> {
     let (passing, others) = (and(&passing), and(&others));
     Some(if more == 0 {
         tr!(
-            "{asked} lets {passing} pass here; what decides lies between {asked} and {others}.",
-            passing,
+            "{asked} lets {passing} pass here; what decides lies between it and {others}.",
             asked,
+            passing,
             others
         )
     } else {
         tr!(
-            "{asked} lets {passing} pass here; what decides lies between {asked}, {others} and {more} more.",
-            passing,
+            "{asked} lets {passing} pass here; what decides lies between it, {others} and {more} more.",
             asked,
+            passing,
             others,
             more
         )
