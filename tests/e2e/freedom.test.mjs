@@ -38,11 +38,11 @@ describe("what must be so", () => {
       assert.match(text, /A1\s[^]*3 ways\s+A2\s+every step is fixed\s+1 way\s+A3\s[^]*5 ways/);
       assert.match(text, /3 × 1 × 5 = 15 best plans/);
       assert.match(text, /A2 decides the makespan\s+one step late makes it 9/);
-      assert.match(text, /Close \(1, 3\): no plan is left\s+Close \(5, 2\): makespan 10, not 8\s+and 4 more cells that cost 2 steps/);
+      assert.match(text, /Close \(1, 3\): no plan is left\s+Close \(5, 2\): makespan 10, not 8\s+and 4 more cells that cost 2 steps of the makespan/);
       // Who does not see the board hears the numbers from its cells.
-      await playground.cellTells(5, 2, /, closing it costs 2 steps$/);
+      await playground.cellTells(5, 2, /, closing it costs 2 steps of the makespan$/);
       await playground.cellTells(1, 3, /, closing it leaves no plan$/);
-      await playground.cellTells(3, 1, /, closing it costs 2 in the sum of costs$/);
+      await playground.cellTells(3, 1, /, closing it costs 2 steps of the sum of costs$/);
       await audit(playground, "what must be so");
       await playground.picture(`freedom-${theme}`);
       await playground.showTab("Timeline");

@@ -49,8 +49,9 @@ pub use occupied::Occupied;
 pub use outline::{Area, Pen, Region};
 pub use point::{Point, position};
 pub use rules::{
-    KeptShape, LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, Stay, TagShape,
-    ZoneShape, first_stay, in_force, kept, rule_shapes, stays, zone_of,
+    KeptShape, LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, Stay, TabParts,
+    TabWords, TagShape, ZoneShape, first_stay, in_force, kept, rule_shapes, stays, tab_parts,
+    zone_of,
 };
 pub use still::{on_paper, still};
 pub use tile::Tile;

@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use giveway_page::Draft;
 use giveway_page::board::{
-    KeptShape, LaneShape, RulesNow, SignKind, TagShape, ZoneShape, kept_free, rule_shapes,
-    rules_now, tab_parts,
+    KeptShape, LaneShape, RulesNow, SignKind, TabWords, TagShape, ZoneShape, kept_free,
+    rule_shapes, rules_now, tab_parts,
 };
 use giveway_page::rules::Lit;
 use yew::prelude::*;
@@ -145,9 +145,11 @@ const CLOCK: f64 = 26.0;
 fn tab(zone: &ZoneShape) -> Html {
     let (x, y) = zone.tab;
     let parts = tab_parts(zone);
-    let from = parts.name;
-    let name = parts.times - 12.0 - from;
     let width = parts.end.to_string();
+    let words = |class: Option<&'static str>, at: TabWords, words: &str| {
+        let (x, width) = (at.middle.to_string(), at.width.to_string());
+        html! { <text {class} {x} y="8.5" text-anchor="middle" textLength={width} lengthAdjust="spacingAndGlyphs">{ words.to_owned() }</text> }
+    };
     let at = |sign: (usize, &SignKind)| {
         let by = parts.apart * sign.0 as f64;
         html! { <g transform={format!("translate({by} 0)")}>{ show_sign(sign.1) }</g> }
@@ -156,10 +158,8 @@ fn tab(zone: &ZoneShape) -> Html {
         <g class={class(zone)} transform={format!("translate({x} {y})")}>
             <g class="zone-tab">
                 <rect x="0" y="-19.5" {width} height="39" rx="12" />
-                <text x={from.to_string()} y="8.5" textLength={name.to_string()} lengthAdjust="spacingAndGlyphs">{ zone.name.clone() }</text>
-                if let Some(times) = &zone.times {
-                    <text class="zone-times" x={parts.times.to_string()} y="8.5">{ times.clone() }</text>
-                }
+                { words(None, parts.name, &zone.name) }
+                { for zone.times.as_deref().zip(parts.times).map(|(times, at)| words(Some("zone-times"), at, times)) }
             </g>
             <g class="signs">{ for zone.signs.iter().enumerate().map(at) }</g>
         </g>

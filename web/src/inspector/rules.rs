@@ -80,8 +80,16 @@ pub(super) fn act(
 /// A zone by its name, with an outline as on the board; pressing it opens it.
 pub(super) fn zone_button(name: &str, is_lit: bool, send: &Callback<Action>) -> Html {
     let zone = name.to_owned();
+    let over = {
+        let (send, zone) = (send.clone(), zone.clone());
+        move |is_over| send.emit(Action::Rules(RuleAction::OverZone(zone.clone(), is_over)))
+    };
+    let [(entered, left), (focused, blurred)] =
+        [over.clone(), over].map(|over| (over.clone(), over));
     html! {
         <button type="button" class={classes!("zone-name", is_lit.then_some("on"))} aria-label={tr!("Zone {name}", name)}
+            onmouseenter={move |_| entered(true)} onmouseleave={move |_| left(false)}
+            onfocus={move |_| focused(true)} onblur={move |_| blurred(false)}
             onclick={act(send, move || RuleAction::OfZone(zone.clone()))}>{ name.to_owned() }</button>
     }
 }
@@ -94,15 +102,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
         Piece::Text(text) => html! { { text.clone() } },
         Piece::Slot(_, zone) => zone_button(zone, row.is_lit, send),
     };
-    let label = match &row.price {
-        Some(price) if row.is_on => format!("{}, {}", row.sentence, price.text),
-        _ => row.sentence.clone(),
-    };
     let switch = tr!("{rule}: in force", rule = row.sentence);
-    let label = match &row.broken {
-        Some(broken) => format!("{label}, {broken}"),
-        None => label,
-    };
     // With the mouse the whole sentence opens it, but for the zone in it, which opens itself.
     let opens = {
         let open = act(send, move || RuleAction::Open(index));
@@ -119,7 +119,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
         (!row.is_on).then_some("off")
     );
     html! {
-        <li key={index}><div {class} role="group" aria-label={label}
+        <li key={index}><div {class} role="group" aria-label={row.label()}
             onmouseenter={send.reform(move |_| light(true))} onfocusin={send.reform(move |_| light(true))}
             onmouseleave={send.reform(move |_| light(false))}>
             <button type="button" class="rule-icon" aria-expanded={row.is_open.to_string()} aria-label={tr!("{rule}: show and open", rule = row.sentence)}
@@ -132,10 +132,8 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
                     onchange={send.reform(move |_: Event| Action::Rules(RuleAction::Switch(index)))} /><i></i>
             </label>
             <p class="rule-price">
-                if let Some(price) = &row.price {
-                    { tag(price) }
-                    if let Some(of) = price.of { <small>{ tr!("a price" => "of the {cost}", cost = of) }</small> }
-                } else if let Some(broken) = &row.broken {
+                { for row.price.as_ref().map(tag) }
+                if let Some(broken) = &row.broken {
                     <span class="rule-tag broken">{ icon::show("collision") }{ broken.clone() }</span>
                 }
             </p>

@@ -56,9 +56,9 @@ fn each_rule_has_its_price() {
         A3   6,4  5,4  4,4  4,3  4,2  4,1  4,0  5,0
 
         Rules
-          narrow: At most 1 robot in 'feeder': +2 steps
+          narrow: At most 1 robot in 'feeder': costs 2 steps of the makespan
             without it: makespan 8, sum of costs 21, 0 charges
-          One way from (0, 0) to (5, 0): free"#]].assert_eq(said);
+          One way from (0, 0) to (5, 0): costs nothing"#]].assert_eq(said);
     let answer = price("feeder.json");
     assert_eq!(answer["status"], "optimal");
     assert_eq!(answer["prices"][0]["price"], "costs");

@@ -1,45 +1,12 @@
 //! The tab of a zone under a hand: pressed, it shows the zone's rule.
 
-use giveway_picture::{Detail, ZoneShape};
+use giveway_picture::{Detail, ZoneShape, tab_parts};
 
 use super::{CELL, rule_shapes, rules_now};
 use crate::{Point, State};
 
-/// How far apart the signs of a tab stand, how wide a letter is, and how tall half a tab is, in
-/// units; as it is drawn.
-const APART: f64 = 38.0;
-const LETTER: f64 = 12.5;
+/// Half the height of a tab, in units; as it is drawn.
 const HALF: f64 = 20.0;
-
-/// What stands on the tab of a zone, in units from where it begins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TabParts {
-    /// How far apart its signs stand.
-    pub apart: f64,
-    /// Where its name begins.
-    pub name: f64,
-    /// Where its times begin.
-    pub times: f64,
-    /// Where it ends.
-    pub end: f64,
-}
-
-/// What stands on the tab of a zone.
-pub fn tab_parts(zone: &ZoneShape) -> TabParts {
-    let wide = |text: &str| text.chars().count() as f64 * LETTER;
-    let name = APART * zone.signs.len() as f64 - 8.0;
-    let end = name + wide(&zone.name);
-    let times = zone
-        .times
-        .as_deref()
-        .map_or(0.0, |times| wide(times) + 12.0);
-    TabParts {
-        apart: APART,
-        name,
-        times: end + 12.0,
-        end: end + times + 12.0,
-    }
-}
 
 /// The zone whose tab is at a point of the board, by its name; the last of several, which lies
 /// above. Where cells are small only its signs are seen, unless it is lit.
@@ -61,7 +28,7 @@ pub fn zone_at(state: &State, point: Point, detail: Detail) -> Option<String> {
         let end = if detail == Detail::All || zone.is_lit {
             parts.end
         } else {
-            parts.name - HALF + 8.0
+            parts.signs_end
         };
         let by = |at: f64, from: f64| ((at + 0.5) * CELL - from) / scale;
         let (x, y) = (by(point.x, zone.tab.0), by(point.y, zone.tab.1));

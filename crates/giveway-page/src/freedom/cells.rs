@@ -3,8 +3,9 @@
 
 use giveway_model::{Cell, Cost, tr};
 use giveway_solve::freedom::{Closed, FreedomAnswer};
+use giveway_solve::price::words::amount;
 
-use super::words::{outcome, price, worse};
+use super::words::{outcome, worse};
 use crate::board::CELL;
 use crate::words::at;
 use crate::{Point, State};
@@ -140,7 +141,7 @@ pub fn notes(state: &State) -> Vec<(Cell, String)> {
                 let (_, cost, delta) = worse(&told.objective, &it.closed)?;
                 return Some((
                     it.cell,
-                    tr!("closing it costs {price}", price = price(cost, delta)),
+                    tr!("closing it costs {price}", price = amount(cost, delta)),
                 ));
             }
         };

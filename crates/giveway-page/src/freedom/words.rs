@@ -142,15 +142,3 @@ pub(super) fn reach(closed: &Closed) -> Option<String> {
         .within()
         .map(|n| tr!("Among plans of makespan at most {n}.", n))
 }
-
-/// `2 steps`, `2 in the sum of costs`, `2 more moves`.
-pub(super) fn price(cost: Cost, delta: i64) -> String {
-    match cost {
-        Cost::Makespan => tr!("{n} step" | "{n} steps" % u32::try_from(delta).unwrap_or_default()),
-        Cost::SumOfCosts => tr!("{delta} in the sum of costs", delta),
-        Cost::Charges => tr!("{delta} more charges", delta),
-        Cost::Moves => tr!("{delta} more moves", delta),
-        Cost::Waits => tr!("{delta} more waits", delta),
-        Cost::Penalty => tr!("{delta} more penalty", delta),
-    }
-}

@@ -19,6 +19,8 @@ pub enum Lit {
 pub enum RuleAction {
     /// Lights a rule or a zone, or nothing.
     Light(Option<Lit>),
+    /// Lights a zone while its tab or its name is looked at, by its name; afterwards no longer.
+    OverZone(String, bool),
     /// Shows the list of all rules.
     List,
     /// Shows a rule in the list, open.

@@ -150,7 +150,7 @@ fn row(state: &State, place: usize, index: usize, rule: &Constraint) -> Option<C
         ends: None,
         note: None,
         label: sentence.clone(),
-        is_lit: state.lit_rule() == Some(&super::Lit::Rule(index))
+        is_lit: state.is_lit(index, rule)
             || state
                 .document
                 .mode

@@ -5,7 +5,7 @@ use giveway_model::{AtGoal, Ground, Scene, tr};
 
 use super::loosening::can_loosen;
 use super::price::tag;
-use super::{Lit, LooserPart, Piece, Tag, icon, pieces, zone_of};
+use super::{Lit, LooserPart, Piece, Tag, icon, pieces};
 use crate::State;
 
 /// The rules of the scene on the board.
@@ -76,6 +76,18 @@ pub struct Row {
     pub price: Option<Tag>,
 }
 
+impl Row {
+    /// The rule aloud: its sentence, then its price, then where the plan breaks it.
+    pub fn label(&self) -> String {
+        let price = self.price.as_ref().filter(|_| self.is_on);
+        let parts = [price.map(|price| &price.text), self.broken.as_ref()];
+        let parts = parts.into_iter().flatten();
+        parts.fold(self.sentence.clone(), |label, part| {
+            format!("{label}, {part}")
+        })
+    }
+}
+
 /// The rules of the scene on the board; nothing while something else is done with it.
 pub fn list(state: &State) -> Option<List> {
     if !state.can_write_rules() || state.lesson().is_some() {
@@ -92,11 +104,7 @@ pub fn list(state: &State) -> Option<List> {
             pieces,
             name: rule.name.clone(),
             is_on: !rule.off,
-            is_lit: match lit {
-                Some(Lit::Rule(lit)) => *lit == index,
-                Some(Lit::Zone(zone)) => zone_of(&rule.kind) == Some(zone),
-                None => false,
-            },
+            is_lit: state.is_lit(index, rule),
             is_open: state.view.rules.open == Some(index),
             can_loosen: can_loosen(rule),
             looser: super::loosening::part(state, index),

@@ -92,6 +92,15 @@ impl State {
         self.view.rules.lit.as_ref()
     }
 
+    /// Whether a rule is lit, by its index: by itself, or with its zone.
+    pub(crate) fn is_lit(&self, index: usize, rule: &Constraint) -> bool {
+        match self.lit_rule() {
+            Some(Lit::Rule(lit)) => *lit == index,
+            Some(Lit::Zone(zone)) => zone_of(&rule.kind) == Some(zone),
+            None => false,
+        }
+    }
+
     /// Whether a rule is being written.
     pub fn is_writing_rule(&self) -> bool {
         self.view.rules.writing.is_some() && self.can_add_rules()

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::check::check;
-use giveway_model::{Cost, tr};
+use giveway_model::tr;
 use giveway_solve::price::{Price, PriceAnswer, PriceRequest, RulePrice, words};
 use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
@@ -22,10 +22,8 @@ pub(crate) struct Pricing {
 /// The price of a rule, as its row shows it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Tag {
-    /// In a few words: `+2 steps`.
+    /// In a few words: `costs 2 steps of the makespan`.
     pub text: String,
-    /// The cost that grows by these steps, where its words do not name it.
-    pub of: Option<&'static str>,
     /// Its class: `cost`, `free`, `none`, `some`, `busy` or `off`.
     pub class: &'static str,
     /// Whether both sides are proved.
@@ -123,7 +121,6 @@ impl State {
 pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
     let plain = |text: &str, class| Tag {
         text: text.to_owned(),
-        of: None,
         class,
         is_proved: false,
         without: None,
@@ -164,19 +161,15 @@ fn known(told: &PriceAnswer, price: &RulePrice) -> Tag {
         Some(giveway_model::words::value(*cost, value))
     });
     let without: Vec<String> = without.collect();
-    let grows = |cost: &&Cost| price.difference.get(*cost).is_some_and(|&by| by > 0);
-    let first = told.objective.costs().iter().find(grows);
-    let is_of_all = price.price == Price::Costs && first == Some(&Cost::Makespan);
     Tag {
         text: words::tag(&told.objective, price),
-        of: is_of_all.then(|| giveway_model::words::name(Cost::Makespan)),
         class,
         is_proved: price.exact,
         without: (!without.is_empty())
             .then(|| tr!("Without it: {costs}.", costs = without.join(", "))),
         has_plan: price.plan.is_some(),
         worth: (price.price == Price::Costs && price.plan.is_some()).then(|| {
-            let price = words::tag(&told.objective, price).replace('+', "");
+            let price = words::grown(&told.objective, price);
             tr!("Why is it worth {price}?", price)
         }),
     }

@@ -123,7 +123,7 @@ fn stretch(state: &State, index: usize, rule: &Constraint, last: u32) -> Option<
         from: times.first(),
         to: times.last().min(last),
         is_now: times.contains(state.view.playback.time),
-        is_lit: state.lit_rule() == Some(&Lit::Rule(index)),
+        is_lit: state.is_lit(index, rule),
         broken,
     })
 }

@@ -8,15 +8,11 @@ use super::motion::When;
 use super::stage::Stage;
 use crate::letters::Anchor;
 use crate::rules::{
-    LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, ZoneShape, in_force, rule_shapes,
-    zone_of,
+    LaneShape, LitRule, RuleShapes, RuledMap, RulesNow, SignKind, TabParts, TabWords, ZoneShape,
+    in_force, rule_shapes, tab_parts, zone_of,
 };
 use crate::xml::Number;
 use crate::{Detail, Ink, whole};
-
-/// How far apart the signs of a tab stand, and how wide a letter is, in units.
-const APART: f64 = 38.0;
-const LETTER: f64 = 12.5;
 
 impl Stage {
     /// The shapes of the rules, whatever the time is.
@@ -147,11 +143,12 @@ impl Stage {
                 Number(scale)
             ),
         );
+        let parts = tab_parts(zone);
         if self.detail == Detail::All {
-            self.name(zone, svg);
+            self.name(zone, &parts, svg);
         }
         for (index, sign) in zone.signs.iter().enumerate() {
-            let x = Number(APART * index as f64);
+            let x = Number(parts.apart * index as f64);
             push(svg, format_args!("<g transform=\"translate({x} 0)\">"));
             self.sign(sign, [self.inks.floor, self.inks.rule_sign], svg);
             if *sign == SignKind::Bar {
@@ -169,14 +166,8 @@ impl Stage {
     }
 
     /// The name of a zone on its tab, and its times.
-    fn name(&self, zone: &ZoneShape, svg: &mut String) {
-        let from = APART * zone.signs.len() as f64 - 8.0;
-        let mut word = zone.name.clone();
-        if let Some(times) = &zone.times {
-            word.push(' ');
-            word.push_str(&times.replace('\u{2013}', "-"));
-        }
-        let width = Number(from + word.chars().count() as f64 * LETTER + 12.0);
+    fn name(&self, zone: &ZoneShape, parts: &TabParts, svg: &mut String) {
+        let width = Number(parts.end);
         let (floor, line) = (self.inks.floor, self.inks.rule_line);
         push(
             svg,
@@ -184,8 +175,14 @@ impl Stage {
                 "<rect x=\"0\" y=\"-19.5\" width=\"{width}\" height=\"39\" rx=\"12\" fill=\"{floor}\" stroke=\"{line}\" stroke-width=\"2\"/>"
             ),
         );
-        let label = self.word_of_rule(&word, (from, 8.5), 22.0, Anchor::Start);
-        label.draw(self.look.letters, svg);
+        let mut word = |word: &str, at: TabWords| {
+            let label = self.word_of_rule(word, (at.middle, 8.5), 22.0, Anchor::Middle);
+            label.draw(self.look.letters, svg);
+        };
+        word(&zone.name, parts.name);
+        if let Some((times, at)) = zone.times.as_deref().zip(parts.times) {
+            word(&times.replace('\u{2013}', "-"), at);
+        }
     }
 }
 

@@ -4,6 +4,7 @@ mod kept;
 mod kind;
 mod stays;
 mod tab;
+mod tab_parts;
 mod tags;
 
 use giveway_model::constraint::ConstraintKind;
@@ -16,6 +17,7 @@ use tags::place;
 pub use kept::{KeptShape, kept};
 pub use kind::{in_force, zone_of};
 pub use stays::{Stay, first_stay, stays};
+pub use tab_parts::{TabParts, TabWords, tab_parts};
 
 /// How far an outline stays inside of its cells, and that of a zone around others, in units.
 const INSET: i64 = 5;
@@ -58,7 +60,7 @@ pub struct RuleShapes {
 }
 
 /// A zone.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ZoneShape {
     /// Its name.
     pub name: String,

@@ -49,7 +49,7 @@ fn a_rule_costs_what_the_best_plan_without_it_saves() {
     assert_eq!(answer.conflict, None);
     assert_eq!(
         answer.words,
-        "At most 1 robot in 'aisle': +2 steps. No robot in 'aisle' from 90 on: free."
+        "At most 1 robot in 'aisle': costs 2 steps of the makespan. No robot in 'aisle' from 90 on: costs nothing."
     );
 }
 

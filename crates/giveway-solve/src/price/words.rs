@@ -1,15 +1,13 @@
 //! Prices in words.
 
-use std::collections::BTreeMap;
-
-use giveway_model::words::{and, or};
+use giveway_model::words::{and, or, value};
 use giveway_model::{Cost, Instance, Objective, tr};
 
 use super::{Loosened, LooserRule, Price, PriceAnswer, RulePrice};
 use crate::{Status, explain};
 
-/// The price of a rule in a few words: `free`, `+2 steps`, `no plan with it`. Of the costs
-/// that grow it names the first of the objective, and the charges.
+/// The price of a rule in a few words: `costs nothing`, `costs 2 steps of the makespan`,
+/// `no plan with it`. Of the costs that grow it names the first of the objective, and the charges.
 ///
 /// ```
 /// use giveway_model::{Cost, Objective};
@@ -19,12 +17,12 @@ use crate::{Status, explain};
 ///     without: [(Cost::Makespan, 18)].into(), difference: [(Cost::Makespan, 2)].into(),
 ///     at_least: None, at_most: None, plan: None,
 /// };
-/// assert_eq!(tag(&Objective::default(), &price), "+2 steps");
+/// assert_eq!(tag(&Objective::default(), &price), "costs 2 steps of the makespan");
 /// ```
 pub fn tag(objective: &Objective, price: &RulePrice) -> String {
     match price.price {
-        Price::Free => tr!("a price" => "free").to_owned(),
-        Price::Costs => costs(objective, &price.difference),
+        Price::Free => tr!("a price" => "costs nothing").to_owned(),
+        Price::Costs => tr!("a price" => "costs {amount}", amount = grown(objective, price)),
         Price::Decides => tr!("a price" => "no plan with it").to_owned(),
         Price::None => tr!("a price" => "no plan without it, either").to_owned(),
         Price::Unknown => {
@@ -32,8 +30,8 @@ pub fn tag(objective: &Objective, price: &RulePrice) -> String {
             let least = price.at_least.filter(|&least| least > 0);
             match first.zip(least) {
                 Some((&cost, least)) => tr!(
-                    "a price" => "{least} or more",
-                    least = more(cost, least)
+                    "a price" => "costs at least {amount}",
+                    amount = amount(cost, least)
                 ),
                 None => tr!("a price" => "not known").to_owned(),
             }
@@ -41,32 +39,32 @@ pub fn tag(objective: &Objective, price: &RulePrice) -> String {
     }
 }
 
-fn costs(objective: &Objective, difference: &BTreeMap<Cost, i64>) -> String {
-    let grows = |cost: &Cost| difference.get(cost).copied().filter(|&by| by > 0);
+/// By how much a rule makes the costs grow: `2 steps of the makespan and 1 charge`.
+pub fn grown(objective: &Objective, price: &RulePrice) -> String {
+    let grows = |cost: &Cost| price.difference.get(cost).copied().filter(|&by| by > 0);
     let mut grown = objective.costs().iter();
     let Some((first, by)) = grown.find_map(|cost| Some((*cost, grows(cost)?))) else {
         return String::new();
     };
-    let text = more(first, by);
+    let first_amount = amount(first, by);
     match grows(&Cost::Charges).filter(|_| first != Cost::Charges) {
-        Some(charges) => tr!(
-            "a price" => "{price} and {n} charge" | "{price} and {n} charges" % charges.unsigned_abs() as u32,
-            price = text
-        ),
-        None => text,
+        Some(charges) => and(&[first_amount, amount(Cost::Charges, charges)]),
+        None => first_amount,
     }
 }
 
-/// By how much a cost grows.
-fn more(cost: Cost, by: i64) -> String {
+/// How much of a cost something costs, with its unit: `2 steps of the sum of costs`, `1 charge`.
+pub fn amount(cost: Cost, by: i64) -> String {
     let n = u32::try_from(by).unwrap_or(u32::MAX);
     match cost {
-        Cost::Makespan => tr!("a price" => "+{n} step" | "+{n} steps" % n),
-        Cost::SumOfCosts => tr!("a price" => "+{n} in the sum", n),
-        Cost::Charges => tr!("a price" => "+{n} charge" | "+{n} charges" % n),
-        Cost::Moves => tr!("a price" => "+{n} move" | "+{n} moves" % n),
-        Cost::Waits => tr!("a price" => "+{n} wait" | "+{n} waits" % n),
-        Cost::Penalty => tr!("a price" => "+{n} penalty", n),
+        Cost::Makespan => {
+            tr!("a price" => "{n} step of the makespan" | "{n} steps of the makespan" % n)
+        }
+        Cost::SumOfCosts => {
+            tr!("a price" => "{n} step of the sum of costs" | "{n} steps of the sum of costs" % n)
+        }
+        Cost::Charges | Cost::Moves | Cost::Waits => value(cost, n),
+        Cost::Penalty => tr!("a price" => "a penalty of {n}", n),
     }
 }
 

@@ -2,9 +2,10 @@
 
 use giveway_model::{Cell, tr};
 use giveway_solve::freedom::{Closed, FreedomAnswer};
+use giveway_solve::price::words::amount;
 
 use crate::freedom::cells::matters;
-use crate::freedom::words::{outcome, price, reach, worse};
+use crate::freedom::words::{outcome, reach, worse};
 use crate::words::at;
 
 /// Cells that matter.
@@ -23,7 +24,7 @@ pub struct CellRow {
     pub cell: Cell,
     /// `Close (5, 2): makespan 10, not 8`.
     pub title: String,
-    /// `and 4 more cells that cost 2 steps`, and how far that is proved; may be empty.
+    /// `and 4 more cells that cost 2 steps of the makespan`, and how far that is proved; may be empty.
     pub detail: String,
 }
 
@@ -76,7 +77,7 @@ pub(super) fn cells(told: &FreedomAnswer, is_counting: bool) -> Option<Cells> {
     Some(Cells { rows, remark })
 }
 
-/// `and 4 more cells that cost 2 steps`.
+/// `and 4 more cells that cost 2 steps of the makespan`.
 fn more(told: &FreedomAnswer, closed: &Closed, others: usize) -> Option<String> {
     if others == 0 {
         return None;
@@ -90,7 +91,7 @@ fn more(told: &FreedomAnswer, closed: &Closed, others: usize) -> Option<String> 
         Some((_, cost, delta)) => tr!(
             "and {n} more cell that costs {price}"
                 | "and {n} more cells that cost {price}" % others,
-            price = price(cost, delta)
+            price = amount(cost, delta)
         ),
     })
 }

@@ -17,6 +17,7 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
     let writing = state.view.rules.writing.clone();
     match action {
         RuleAction::Light(lit) => state.view.rules.lit = lit,
+        RuleAction::OverZone(name, is_over) => over_zone(state, &name, is_over),
         RuleAction::List => list(state),
         RuleAction::Show(index) => show_rule(state, index),
         RuleAction::AllTimes(all) => state.view.rules.shows_all_times = all,
@@ -136,6 +137,22 @@ fn of_tab(state: &mut State, name: &str) {
         Some(&index) => show_rule(state, index),
         None => of_zone(state, name),
     }
+}
+
+/// A zone is looked at, or no longer. A rule of it that is lit stays lit.
+fn over_zone(state: &mut State, name: &str, is_over: bool) {
+    let rules = &state.document.draft.scene().constraints;
+    let is_of_it = |index: usize| {
+        let rule = rules.get(index);
+        rule.is_some_and(|rule| crate::rules::zone_of(&rule.kind) == Some(name))
+    };
+    let lit = match &state.view.rules.lit {
+        Some(Lit::Rule(index)) if is_of_it(*index) => return,
+        Some(Lit::Zone(lit)) if !is_over && lit != name => return,
+        Some(Lit::Rule(_)) | None if !is_over => return,
+        Some(Lit::Rule(_) | Lit::Zone(_)) | None => is_over.then(|| Lit::Zone(name.to_owned())),
+    };
+    state.view.rules.lit = lit;
 }
 
 /// Shows the list of all rules.

@@ -49,7 +49,10 @@ fn the_column_tells_ways_lateness_cells_and_another_plan() {
             "Close (3, 1): sum of costs 21, not 19"
         ]
     );
-    assert_eq!(cells.rows[1].detail, "and 4 more cells that cost 2 steps");
+    assert_eq!(
+        cells.rows[1].detail,
+        "and 4 more cells that cost 2 steps of the makespan"
+    );
     let other = known(column.other.unwrap());
     assert_eq!(
         other.sentence,
@@ -73,7 +76,10 @@ fn numbers_stand_on_cells_and_in_their_names() {
     assert_eq!(on(7, 2), None, "where a robot starts");
     assert!(all.iter().all(|number| number.width() <= 86.0));
     let notes = notes(&state);
-    assert!(notes.contains(&(Cell::new(5, 2), "closing it costs 2 steps".to_owned())));
+    assert!(notes.contains(&(
+        Cell::new(5, 2),
+        "closing it costs 2 steps of the makespan".to_owned()
+    )));
     assert!(notes.contains(&(Cell::new(1, 3), "closing it leaves no plan".to_owned())));
 
     // Pressed on the number, and beside it.

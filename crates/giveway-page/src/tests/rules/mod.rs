@@ -153,7 +153,10 @@ fn what_rules_cost_is_asked_and_goes_when_the_scene_changes() {
         let rows = list(state).unwrap().rows.into_iter();
         rows.map(|row| row.price.map(|price| price.text)).collect()
     };
-    let both = [Some("free".to_owned()), Some("+2 steps".to_owned())];
+    let both = [
+        Some("costs nothing".to_owned()),
+        Some("costs 2 steps of the makespan".to_owned()),
+    ];
     assert_eq!(texts(&priced), both);
     let row = &list(&priced).unwrap().rows[1];
     let without = row.price.as_ref().unwrap().without.clone().unwrap();

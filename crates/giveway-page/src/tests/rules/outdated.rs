@@ -1,6 +1,6 @@
 //! A plan that is older than a rule: it is stale, and red where it breaks the rule.
 
-use super::{act, marked, solved};
+use super::{act, answered, marked, solved};
 use crate::board::{reasons, rules_now};
 use crate::reduce::tests::after;
 use crate::rules::{RuleAction, list};
@@ -30,6 +30,22 @@ fn a_plan_that_breaks_a_newer_rule_is_red_on_the_spot() {
     assert_eq!(rules_now(&state).broken, [1]);
     let start = after(&state, [crate::tests::seek(0)]);
     assert!(rules_now(&start).broken.is_empty(), "not at other times");
+}
+
+#[test]
+fn a_broken_rule_that_is_priced_tells_both() {
+    let priced = answered(&after(&limited(), [act(RuleAction::Price)]));
+    let row = list(&priced).unwrap().rows.remove(1);
+    let (price, broken) = (row.price.as_ref().unwrap(), row.broken.as_ref().unwrap());
+    assert_eq!(price.text, "costs 2 steps of the makespan");
+    assert_eq!(
+        row.label(),
+        format!("{}, {}, {broken}", row.sentence, price.text)
+    );
+    // Off, it has no price and nothing breaks it.
+    let off = after(&priced, [act(RuleAction::Switch(1))]);
+    let row = list(&off).unwrap().rows.remove(1);
+    assert_eq!(row.label(), row.sentence);
 }
 
 #[test]

@@ -73,6 +73,38 @@ fn a_lit_zone_shows_who_is_in_it_when() {
 }
 
 #[test]
+fn a_zone_is_lit_everywhere_while_its_tab_is_looked_at() {
+    let state = with(r#"[{ "kind": "closed", "zone": "far", "from": 2, "to": 4 }]"#);
+    let over = |is_over| act(RuleAction::OverZone("far".to_owned(), is_over));
+    let lit = |state: &State| {
+        let shapes = crate::board::rule_shapes(
+            &state.document.draft,
+            &crate::board::rules_now(state),
+            state.lit_rule(),
+        );
+        let row = times_row(state, 8).unwrap();
+        let listed = crate::rules::list(state).unwrap();
+        (
+            shapes.zones[0].is_lit,
+            row.lines[0][0].is_lit,
+            listed.rows[0].is_lit,
+        )
+    };
+    assert_eq!(lit(&state), (false, false, false));
+    let seen = after(&state, [over(true)]);
+    assert_eq!(lit(&seen), (true, true, true));
+    assert_eq!(lit(&after(&seen, [over(false)])), (false, false, false));
+    // Its rule, lit by a press, stays lit when the pointer goes.
+    let pressed = act(RuleAction::OfTab("far".to_owned()));
+    let left = after(&seen, [pressed, over(true), over(false)]);
+    assert_eq!(left.lit_rule(), Some(&Lit::Rule(0)));
+    assert_eq!(lit(&left), (true, true, true));
+    // The pointer that leaves one zone does not darken another one.
+    let other = act(RuleAction::OverZone("elsewhere".to_owned(), false));
+    assert_eq!(lit(&after(&seen, [other])), (true, true, true));
+}
+
+#[test]
 fn a_step_by_hand_against_a_rule_is_marked() {
     let state = with(r#"[{ "kind": "closed", "zone": "far", "from": 0, "to": 1000000 }]"#);
     assert!(crate::rules::broken(&state).next().is_none());
