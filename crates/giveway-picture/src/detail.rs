@@ -34,6 +34,17 @@ impl Detail {
         }
     }
 
+    /// Whether robots lie above goals and waypoints: where cells are small, a mark in the corner of
+    /// a cell would cover the name of the robot there.
+    ///
+    /// ```
+    /// use giveway_picture::Detail;
+    /// assert!(Detail::Numbers.covers_marks() && !Detail::All.covers_marks());
+    /// ```
+    pub fn covers_marks(self) -> bool {
+        self < Self::All
+    }
+
     /// Its classes in the style sheets.
     pub const fn class(self) -> &'static str {
         match self {

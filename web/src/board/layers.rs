@@ -80,6 +80,29 @@ pub(super) fn layers(
     let board = (world.grid().width(), world.grid().height());
     // What all best plans share takes the place of the ways of the plan that it is laid over.
     let is_laid_over = place == Place::Board && state.is_laid_over();
+    let agents = part::<Agents>(AgentsProps {
+        cast: Rc::clone(cast),
+        draft: Same::new(Rc::clone(world)),
+        versus: versus.cloned(),
+        detail,
+        selected,
+        lit: lit.clone(),
+        named,
+        sight: Rc::clone(sight),
+        still: None,
+    });
+    let marks = part::<Marks>(MarksProps {
+        cast: Rc::clone(cast),
+        detail,
+        lit,
+        but: picked,
+        still: None,
+    });
+    let (below, above) = if detail.covers_marks() {
+        (marks, agents)
+    } else {
+        (agents, marks)
+    };
     html! {
         <>
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
@@ -94,8 +117,8 @@ pub(super) fn layers(
             if place == Place::Board { { short_ways::show(state) } }
             { rules::layer(state, world, Layer::Tabs) }
             { chosen.clone().map(part::<ChosenMarks>) }
-            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), draft: Same::new(Rc::clone(world)), versus: versus.cloned(), detail, selected, lit: lit.clone(), named, sight: Rc::clone(sight), still: None }) }
-            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit, but: picked, still: None }) }
+            { below }
+            { above }
             { rules::layer(state, world, Layer::Tags) }
             { chosen.map(part::<ChosenForm>) }
             { part::<Axis>(AxisProps { frame, board, pointer: Rc::clone(pointer) }) }

@@ -56,6 +56,29 @@ pub(crate) fn PaperBoard(props: &PaperBoardProps) -> Html {
     let still = Some(f64::from(state.view.playback.time));
     let (width, height) = (frame.width, frame.height);
     let px = |units: f64| (units * frame.cell_px / 100.0).to_string();
+    let agents = part::<Agents>(AgentsProps {
+        cast: Rc::clone(cast),
+        draft: Same::new(Rc::clone(world)),
+        versus: None::<Rc<Cast>>,
+        detail,
+        selected: None::<usize>,
+        lit: None::<Vec<usize>>,
+        named: None::<usize>,
+        sight,
+        still,
+    });
+    let marks = part::<Marks>(MarksProps {
+        cast: Rc::clone(cast),
+        detail,
+        lit: None::<Vec<usize>>,
+        but: None::<usize>,
+        still,
+    });
+    let (below, above) = if detail.covers_marks() {
+        (marks, agents)
+    } else {
+        (agents, marks)
+    };
     html! {
         <svg class={classes!("map", detail.class())} viewBox={view_box(&frame)} width={px(width)} height={px(height)} font-size={format!("{:.1}", frame.units(LETTERS_PX))} aria-hidden="true">
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(world), look: FloorLook::of(frame.cell_px), used_by: state.view.layers.heat.then(|| Rc::clone(cast)) }) }
@@ -66,8 +89,8 @@ pub(crate) fn PaperBoard(props: &PaperBoardProps) -> Html {
                 { part::<Ways>(WaysProps { cast: Rc::clone(cast), selected, ahead: ahead(state), is_alone: false, still }) }
             }
             { rules::on_paper(state, Layer::Tabs) }
-            { part::<Agents>(AgentsProps { cast: Rc::clone(cast), draft: Same::new(Rc::clone(world)), versus: None::<Rc<Cast>>, detail, selected: None::<usize>, lit: None::<Vec<usize>>, named: None::<usize>, sight, still }) }
-            { part::<Marks>(MarksProps { cast: Rc::clone(cast), detail, lit: None::<Vec<usize>>, but: None::<usize>, still }) }
+            { below }
+            { above }
             { rules::on_paper(state, Layer::Tags) }
             { part::<ReasonMarks>(ReasonsProps { reasons: board::reasons(state), cell_px: frame.cell_px }) }
             { problems(state) }

@@ -87,7 +87,11 @@ impl Stage {
     fn things(&self, when: &mut When<'_>) -> String {
         let zones = self.zones_at(when);
         let (agents, flags) = (self.agents(when), self.flags(when));
-        [zones, agents, flags, self.rule_tags(), self.stays_at(when)].concat()
+        let (below, above) = match self.detail.covers_marks() {
+            true => (flags, agents),
+            false => (agents, flags),
+        };
+        [zones, below, above, self.rule_tags(), self.stays_at(when)].concat()
     }
 
     /// The colour of an agent, and the one of its name on it.
