@@ -49,6 +49,22 @@ describe("the floor", () => {
     assert.equal(await page.getByRole("slider", { name: "Rows above" }).count(), 0);
   }, { screens: ["desktop"] });
 
+  flow("has columns and rows that are selected by their numbers", async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    await playground.pause();
+    const press = async (number, button) => {
+      const { x, y, width, height } = await page.locator(".axis text").getByText(String(number), { exact: true }).first().boundingBox();
+      await page.mouse.click(x + width / 2, y + height / 2, { button });
+    };
+    const bar = page.locator(".areabar");
+    await press(3, "left");
+    await bar.getByRole("button", { name: "Remove column 3" }).waitFor();
+    await audit(playground, "a column that is selected");
+    await press(4, "right");
+    await bar.getByRole("button", { name: "Insert 1 column left" }).click();
+    await eventually("a column more", () => playground.board.getAttribute("aria-colcount"), (now) => now === "11");
+  }, { screens: ["desktop"] });
+
   flow("has columns and rows that come and go in the middle", async (playground, { page }) => {
     await playground.says(/^Optimal/);
     // Nobody drives past the cells that are pressed.

@@ -6,6 +6,7 @@ use giveway_page::area::{
     AreaAction, Direction, FARTHEST, Ghost, MOST_COPIES, Repeat, Shown as AreaShown, card, shown,
 };
 use giveway_page::board::Frame;
+use giveway_page::grow::{GrowAction, LineOffer, offers_of_lines};
 use giveway_page::{Action, State, number};
 use wasm_bindgen::JsCast as _;
 use web_sys::{Element, Event, HtmlElement, HtmlInputElement, PointerEvent};
@@ -165,6 +166,7 @@ pub(super) fn AreaBar(props: &BarProps) -> Html {
             { press(tr!("Turn right"), "turn90", "t", false, AreaAction::Turn) }
             { press(tr!("Repeat"), "repeat", "Ctrl D", is_repeated, AreaAction::Repeat(!is_repeated)) }
             { press(tr!("Erase"), "erase", "Delete", false, AreaAction::Erase) }
+            { for offers_of_lines(state).iter().map(|offer| line(offer, send)) }
             if let Some(repeat) = card.repeat { { repeated(repeat, send) } }
             if has_ghost {
                 <button type="button" class="btn primary round" aria-label={tr!("Do it")} title={format!("{} (Enter)", tr!("Do it"))}
@@ -173,6 +175,16 @@ pub(super) fn AreaBar(props: &BarProps) -> Html {
             }
             <output class="vh" role="status">{ card.told.clone().unwrap_or_else(|| card.name.clone()) }</output>
         </div>
+    }
+}
+
+/// A column or row that comes or goes.
+#[inline(never)]
+fn line(offer: &LineOffer, send: &Callback<Action>) -> Html {
+    let lines = offer.lines;
+    let sign = if lines.more > 0 { "plus" } else { "minus" };
+    html! {
+        <button type="button" class="btn ghost line" onclick={send.reform(move |_: MouseEvent| Action::Grow(GrowAction::Lines(lines)))}>{ icon::show(sign) }{ offer.name.clone() }</button>
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::rc::Rc;
 
-use giveway_page::board::{Detail, Frame};
+use giveway_page::board::{AxisPlace, Frame};
 use yew::prelude::*;
 
 use super::pointer::{Pointer, use_pointed};
@@ -29,16 +29,7 @@ pub(super) fn Axis(props: &AxisProps) -> Html {
         return html! {};
     };
     let (columns, rows) = frame.cells(*board);
-    // As large as a sixth of a cell, but always to be read and never loud.
-    let size = 17.0_f64.clamp(frame.units(11.0), frame.units(15.0));
-    let is_all = frame.detail() == Detail::All;
-    let beside = if is_all {
-        (-18.0, -12.0)
-    } else {
-        (-frame.units(11.0), -frame.units(6.0))
-    };
-    let top = (frame.y + frame.units(14.0)).max(beside.1);
-    let left = (frame.x + frame.units(13.0)).max(beside.0);
+    let AxisPlace { size, top, left } = frame.axis_place();
     let number = |number: u32, x: f64, y: f64, hot: Option<u32>| {
         let class = (hot == Some(number)).then_some("hot");
         html! { <text {class} x={format!("{x:.1}")} y={format!("{y:.1}")}>{ number }</text> }

@@ -198,7 +198,7 @@ pub fn Board(props: &BoardProps) -> Html {
                 viewBox={view_box(&frame)} font-size={format!("{:.1}", frame.units(LETTERS_PX))} {onblur}
                 onpointerdown={gestures.down} onpointermove={gestures.moved}
                 onpointerup={gestures.up} onpointercancel={gestures.cancel}
-                onpointerleave={gestures.leave} onwheel={gestures.wheel} onmousedown={gestures.mouse_down}
+                onpointerleave={gestures.leave} onwheel={gestures.wheel} onmousedown={gestures.mouse_down} oncontextmenu={gestures.menu}
                 onkeydown={onkeydown.clone()}>
                 { floor::hatch("hatch") }
                 { layers(state, Place::Board, &cast, other.as_ref(), &sight, &overlay, &pointer) }

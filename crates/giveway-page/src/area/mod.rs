@@ -15,7 +15,7 @@ use std::rc::Rc;
 
 use giveway_model::{Cell, Grid};
 
-use crate::{State, Tool};
+use crate::{Axis, State, Tool};
 
 pub(crate) use clip::{Clip, ground};
 pub(crate) use hand::{Hand, Holds};
@@ -35,6 +35,8 @@ pub enum AreaAction {
     Stretch(i8, i8),
     /// All of the floor.
     All,
+    /// A column or a row, by its number.
+    Line(Axis, u32, Frame),
     /// It goes so many cells right and down, until that is made or dropped.
     Nudge(i32, i32),
     /// What is on it is remembered.

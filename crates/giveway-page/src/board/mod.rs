@@ -23,7 +23,7 @@ mod waypoints;
 mod zones;
 
 pub use beside::{Side, sides};
-pub use camera::{Camera, Frame, MAX_CELL_PX, PRESENTED_CELL_PX};
+pub use camera::{AxisPlace, Camera, Frame, MAX_CELL_PX, PRESENTED_CELL_PX};
 pub use cast::{Cast, badges};
 pub use floor::{Band, Floor, TILE};
 use giveway_picture::whole;
@@ -31,6 +31,7 @@ pub use giveway_picture::{
     Badge, CELL, Charge, Detail, FloorLook, Layer, Mark, MarkKind, Occupied, Pose, Track, TurnSide,
     Way, WayEnds, lines, marks, marks_with, of_badge,
 };
+pub use giveway_picture::{TabWords, tab_parts};
 pub use heat::{SHADES, heat};
 pub use legend::{Kind, legend};
 pub use minimap::{Minimap, dots};
@@ -49,4 +50,4 @@ pub(crate) use star::middle;
 pub use star::{ConflictPlace, Star};
 pub use tip::{Tip, TipLine, tip, tip_corner};
 pub use waypoints::waypoint_numbers;
-pub use zones::{TabParts, tab_parts, zone_at};
+pub use zones::zone_at;

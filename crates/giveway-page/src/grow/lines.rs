@@ -20,7 +20,15 @@ pub fn offers(state: &State) -> Vec<LineOffer> {
     let Some([x0, y0, x1, y1]) = selected(state).filter(|_| state.can_grow()) else {
         return Vec::new();
     };
-    let offers = [(Axis::Columns, x0, x1), (Axis::Rows, y0, y1)].map(|(axis, first, last)| {
+    let grid = state.document.draft.grid();
+    let [across, down] = [x1 - x0 + 1 == grid.width(), y1 - y0 + 1 == grid.height()];
+    // Of whole columns columns come and go, of whole rows rows.
+    let axes = [(Axis::Columns, x0, x1), (Axis::Rows, y0, y1)].into_iter();
+    let axes = axes.filter(|(axis, ..)| match axis {
+        Axis::Columns => down || !across,
+        Axis::Rows => across || !down,
+    });
+    let offers = axes.map(|(axis, first, last)| {
         let count = last - first + 1;
         let more = i32::try_from(count).unwrap_or(i32::MAX);
         let come = |at| Lines { axis, at, more };
@@ -48,9 +56,20 @@ pub fn offers(state: &State) -> Vec<LineOffer> {
         };
         [(before, come(first)), (after, come(last + 1)), (gone, go)]
     });
-    let all = offers.into_iter().flatten();
+    let all = offers.flatten();
     let all = all.filter(|(_, lines)| state.can_take(*lines));
     all.map(|(name, lines)| LineOffer { name, lines }).collect()
+}
+
+/// The same where whole columns or rows are selected: it is what they are selected for.
+pub fn offers_of_lines(state: &State) -> Vec<LineOffer> {
+    let grid = state.document.draft.grid();
+    let is_lines = state.area().is_some_and(|area| {
+        let [x0, y0, x1, y1] = area.frame();
+        let is_whole = x1 - x0 + 1 == grid.width() || y1 - y0 + 1 == grid.height();
+        area.is_rectangle() && is_whole
+    });
+    if is_lines { offers(state) } else { Vec::new() }
 }
 
 /// The first and last column and row of what is selected.

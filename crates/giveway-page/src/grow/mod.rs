@@ -15,7 +15,7 @@ use crate::words::at;
 use crate::{Edit, State};
 
 pub use ghost::Strip;
-pub use lines::{LineOffer, offers};
+pub use lines::{LineOffer, offers, offers_of_lines};
 pub use room::Room;
 pub use side::Side;
 

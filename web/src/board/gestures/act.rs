@@ -80,9 +80,9 @@ impl Surface {
         cell.flatten()
     }
 
-    /// The zone whose tab is pressed at a pixel, where no robot stands on it and no cell is asked
+    /// The zone whose tab is at a pixel, where no robot stands on it and no cell is asked
     /// for.
-    fn zone_at(&self, at: Px, time: f64) -> Option<String> {
+    pub(super) fn zone_at(&self, at: Px, time: f64) -> Option<String> {
         if self.agent_at(at, time).is_some() || self.state.is_writing_rule() {
             return None;
         }

@@ -4,7 +4,7 @@
 use giveway_page::Action;
 use giveway_page::area::{AreaAction, Frame};
 use gloo::timers::callback::Timeout;
-use web_sys::PointerEvent;
+use web_sys::{MouseEvent, PointerEvent};
 
 use super::Surface;
 use super::place::Px;
@@ -36,6 +36,32 @@ impl Surface {
             && !self.state.can_move(cell)
             && self.agent_at(from, time).is_none();
         (is_free || frame != Frame::Replace).then_some(AreaAction::Begin(cell, frame))
+    }
+
+    /// Selects the column or row whose number is at a pixel; with Shift it comes to the area, with
+    /// Alt it goes from it.
+    #[inline(never)]
+    pub(super) fn select_line(&self, at: Px, event: &MouseEvent) -> bool {
+        let grid = self.state.document.draft.grid();
+        let line = self.frame.line_at(at, (grid.width(), grid.height()));
+        let line = line.filter(|_| self.state.can_select_area());
+        if let Some((axis, line)) = line {
+            let frame = match (event.alt_key(), event.shift_key()) {
+                (true, _) => Frame::Take,
+                (false, true) => Frame::Add,
+                (false, false) => Frame::Replace,
+            };
+            let select = AreaAction::Line(axis, line, frame);
+            self.send.emit(Action::Area(select));
+        }
+        line.is_some()
+    }
+
+    /// The other button on a number selects its column or row, too: the bar beside it is the menu.
+    pub(super) fn menu(&self, event: &MouseEvent) {
+        if self.select_line(self.px(event), event) {
+            event.prevent_default();
+        }
     }
 
     /// A finger that stays frames its cell: then handles stretch it.

@@ -3,6 +3,7 @@
 
 use std::rc::Rc;
 
+use giveway_page::rules::RuleAction;
 use giveway_page::{Action, BoardAction};
 use gloo::timers::callback::Timeout;
 use web_sys::{Element, PointerEvent};
@@ -42,6 +43,33 @@ impl Surface {
         if let Some(cell) = cell.filter(|&cell| cell != self.state.view.cursor) {
             self.send.emit(Action::Board(BoardAction::MoveCursor(cell)));
         }
+    }
+
+    /// The zone is lit whose tab is under a pointer that selects.
+    pub(super) fn look_at_tab(&self, hand: &mut Hand, at: Px, event: &PointerEvent, time: f64) {
+        let is_idle = hand.fingers.is_empty() && event.pointer_type() != "touch";
+        if is_idle {
+            let tab = (!self.paints()).then(|| self.zone_at(at, time));
+            self.light_tab(hand, tab.flatten());
+        }
+    }
+
+    /// Lights the zone of another tab than before, or of none.
+    pub(super) fn light_tab(&self, hand: &mut Hand, tab: Option<String>) {
+        if hand.tab == tab {
+            return;
+        }
+        let over = |zone: &String, is_over| {
+            let action = RuleAction::OverZone(zone.clone(), is_over);
+            self.send.emit(Action::Rules(action));
+        };
+        if let Some(before) = &hand.tab {
+            over(before, false);
+        }
+        if let Some(now) = &tab {
+            over(now, true);
+        }
+        hand.tab = tab;
     }
 
     /// What is under a pointer that rests on the board, for those who tell of it.

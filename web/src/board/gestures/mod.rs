@@ -46,6 +46,7 @@ pub(super) struct Gestures {
     pub(super) wheel: Callback<WheelEvent>,
     /// A browser sends it after a tap, too.
     pub(super) mouse_down: Callback<MouseEvent>,
+    pub(super) menu: Callback<MouseEvent>,
 }
 
 /// What the pointers are doing.
@@ -74,6 +75,8 @@ struct Hand {
     is_touch: bool,
     /// Ends when the finger has rested for a while, and then tells of the cell below it.
     resting: Option<Timeout>,
+    /// The zone whose tab is under the pointer.
+    tab: Option<String>,
     /// What a finger that stays comes to.
     hold: Option<Timeout>,
     /// Where the pointer of an area came to last.
@@ -124,14 +127,20 @@ pub(super) fn use_gestures(surface: Surface) -> Gestures {
             hand.set(now);
         })
     };
+    let menu = {
+        let surface = Rc::clone(&surface);
+        Callback::from(move |event: MouseEvent| surface.0.menu(&event))
+    };
     Gestures {
         mouse_down,
+        menu,
         down: listen(Surface::down),
         moved: listen(Surface::moved),
         up: listen(Surface::up),
         cancel: listen(|surface, hand, event, _| surface.cancel(hand, event)),
-        leave: listen(|surface, _, event, _| {
+        leave: listen(|surface, hand, event, _| {
             surface.hide_hover();
+            surface.light_tab(hand, None);
             // A finger that told of a cell may go.
             if event.pointer_type() != "touch" {
                 surface.pointer.set(None);

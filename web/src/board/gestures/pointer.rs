@@ -60,6 +60,7 @@ impl Surface {
         let at = self.px(event);
         self.show_hover(at, event);
         self.point(hand, at, event, time);
+        self.look_at_tab(hand, at, event, time);
         self.look_for_goal(hand, at);
         let finger = hand.fingers.iter().position(|f| f.0 == event.pointer_id());
         let Some(finger) = finger else { return };
@@ -114,6 +115,7 @@ impl Surface {
             }
             // A long press has framed its cell.
             Act::Pressed(at) if self.has_framed(at, event) => {}
+            Act::Pressed(at) if self.select_line(at, event) => {}
             Act::Pressed(at) => self.select(at, time),
             _ => {}
         }

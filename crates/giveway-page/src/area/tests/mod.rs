@@ -6,9 +6,10 @@ use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Agent, Cell, Constraint, Scene, Zone};
 
 use super::{AreaAction, Direction, Frame, card, shown};
+use crate::grow::{GrowAction, offers_of_lines};
 use crate::keys::{Command, Key, command};
 use crate::reduce::tests::after;
-use crate::{Action, BoardAction, Draft, Selection, SolveAction, State, Tool};
+use crate::{Action, Axis, BoardAction, Draft, Selection, SolveAction, State, Tool};
 
 fn agent(name: &str, start: (u32, u32), goal: (u32, u32)) -> Agent {
     Agent {
@@ -213,4 +214,39 @@ fn keys_frame_an_area() {
     );
     assert_eq!(shown(&state).unwrap().frame, [4, 3, 6, 4]);
     assert_eq!(map(&state), map(&floor()));
+}
+
+#[test]
+fn a_column_and_a_row_are_selected_by_their_numbers() {
+    let line = |axis, at, frame| AreaAction::Line(axis, at, frame);
+    let column = act(&floor(), &[line(Axis::Columns, 3, Frame::Replace)]);
+    assert_eq!(column.area().unwrap().frame(), [3, 0, 3, 5]);
+    assert_eq!(column.area().unwrap().cells.len(), 6);
+    let names = |state: &State| -> Vec<String> {
+        let offers = offers_of_lines(state).into_iter();
+        offers.map(|offer| offer.name).collect()
+    };
+    let expected = [
+        "Insert 1 column left",
+        "Insert 1 column right",
+        "Remove column 3",
+    ];
+    assert_eq!(names(&column), expected);
+    let two = act(&column, &[line(Axis::Columns, 4, Frame::Add)]);
+    assert_eq!(two.area().unwrap().frame(), [3, 0, 4, 5]);
+    assert_eq!(names(&two)[2], "Remove columns 3 to 4");
+    let one = act(&two, &[line(Axis::Columns, 3, Frame::Take)]);
+    assert_eq!(one.area().unwrap().frame(), [4, 0, 4, 5]);
+    let row = act(&one, &[line(Axis::Rows, 5, Frame::Replace)]);
+    assert_eq!(row.area().unwrap().frame(), [0, 5, 7, 5]);
+    assert_eq!(names(&row)[0], "Insert 1 row above");
+    // What lies across it is a part of the floor like any other.
+    let cross = act(&row, &[line(Axis::Columns, 0, Frame::Add)]);
+    assert_eq!(names(&cross), [""; 0]);
+    // A number beyond the floor selects nothing.
+    let beyond = act(&row, &[line(Axis::Rows, 6, Frame::Replace)]);
+    assert!(!beyond.has_area());
+    let lines = offers_of_lines(&row)[0].lines;
+    let grown = after(&row, [Action::Grow(GrowAction::Lines(lines))]);
+    assert_eq!(grown.document.draft.grid().height(), 7);
 }

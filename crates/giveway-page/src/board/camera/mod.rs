@@ -1,11 +1,13 @@
 //! Which part of the map is in sight, and how large.
 
+mod axis;
 mod frame;
 #[cfg(test)]
 mod tests;
 
 use giveway_model::Cell;
 
+pub use axis::AxisPlace;
 pub use frame::Frame;
 
 use super::{CELL, Detail};

@@ -2,6 +2,7 @@
 
 mod made;
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use giveway_model::{Cell, tr_data};
@@ -10,7 +11,7 @@ use super::{ask, stroke};
 use crate::area::{Area, AreaAction, Clip, Doing, Frame, Hand, Holds, Repeat, Way, frame};
 use crate::edit::AreaEdit;
 use crate::gesture::Gesture;
-use crate::{Edit, Notice, Selection, State};
+use crate::{Axis, Edit, Notice, Selection, State};
 
 pub(crate) use made::copies;
 pub(super) use made::keep;
@@ -36,6 +37,7 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
             let cells = state.document.draft.grid().cells().map(|(cell, _)| cell);
             select(state, Area::of(cells.collect()));
         }
+        AreaAction::Line(axis, at, frame) => line(state, (axis, at), frame),
         AreaAction::Nudge(right, down) => nudge(state, (right, down)),
         AreaAction::Copy => {
             if let Some(area) = standing(state) {
@@ -90,6 +92,27 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
             Some(_) | None => {}
         },
     }
+}
+
+/// A column or a row is selected, or comes to the area that there is, or goes from it.
+#[inline(never)]
+fn line(state: &mut State, (axis, at): (Axis, u32), frame: Frame) {
+    stroke::release(state);
+    keep(state);
+    let cells = state.document.draft.grid().cells().map(|(cell, _)| cell);
+    let is_on = |cell: &Cell| match axis {
+        Axis::Columns => cell.x == at,
+        Axis::Rows => cell.y == at,
+    };
+    let line: BTreeSet<Cell> = cells.filter(is_on).collect();
+    let before = state.view.area.take();
+    let before = before.map_or_else(BTreeSet::new, |area| (*area.cells).clone());
+    let cells = match frame {
+        Frame::Replace => line,
+        Frame::Add => &before | &line,
+        Frame::Take => &before - &line,
+    };
+    select(state, Area::of(cells));
 }
 
 /// A frame begins: what was a ghost is made first.
