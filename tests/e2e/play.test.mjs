@@ -75,6 +75,23 @@ describe("playing", () => {
     await playground.reaches("1 or later", (now) => now >= 1);
   }, { screens: BOTH, ...MOVING });
 
+  flow("goes to a time that is typed", async (playground, { page }) => {
+    await playground.says(OPENING);
+    await playground.pause();
+    const field = page.getByRole("textbox", { name: "Time, 0 to 18" });
+    await field.fill("7");
+    await field.press("Enter");
+    await playground.reaches(7);
+    // It ends at the last time.
+    await field.fill("99");
+    await field.press("Enter");
+    await playground.reaches(18);
+    await field.fill("3");
+    await field.press("Escape");
+    await playground.reaches(18);
+    assert.equal(await field.inputValue(), "18");
+  }, { screens: BOTH, ...MOVING });
+
   flow("goes by keys", async (playground) => {
     await playground.says(OPENING);
     await playground.reaches("1 or later", (now) => now >= 1);

@@ -41,8 +41,10 @@ describe("rules of a scene's own", () => {
       await playground.press("Add the rule");
       await inspector.getByRole("group", { name: /^At most 1 robot in middle aisle, broken / }).waitFor();
       await inspector.getByRole("button", { name: ASK }).click();
-      await inspector.getByRole("group", { name: "At most 1 robot in middle aisle, +2 steps" }).waitFor();
-      await inspector.getByRole("group", { name: "One way from (0, 0) to (5, 0), free" }).waitFor();
+      await inspector.getByRole("group", { name: "At most 1 robot in middle aisle, costs 2 steps of the makespan" }).waitFor();
+      await inspector.getByRole("group", { name: "One way from (0, 0) to (5, 0), costs nothing" }).waitFor();
+      // The plan on the board is older than the limit: its price does not hide that it is broken.
+      assert.match(await inspector.locator(".own-rules").innerText(), /costs 2 steps of the makespan\s+broken /);
       await playground.cellTells(2, 2, /zone middle aisle/);
       await audit(playground, "prices of rules");
       await playground.picture(`rules-${theme}`);
@@ -142,7 +144,7 @@ describe("rules of a scene's own", () => {
     await playground.key("Enter");
     await inspector.getByRole("button", { name: ASK }).focus();
     await playground.key("Enter");
-    await inspector.getByRole("group", { name: "At most 1 robot in zone 1, +2 steps" }).waitFor();
+    await inspector.getByRole("group", { name: "At most 1 robot in zone 1, costs 2 steps of the makespan" }).waitFor();
     await playground.board.focus();
     await playground.key("r", "Home", "Control+ArrowUp", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown", "Enter", "ArrowRight", "ArrowRight", "Enter");
     await inspector.getByRole("group", { name: "One way from (0, 4) to (2, 4)" }).waitFor();
@@ -236,13 +238,13 @@ describe("rules that are there", () => {
       assert.ok(Math.abs(before.y - after.y) < 2, `the switch stays under the pointer: ${before.y}, then ${after.y}`);
       await playground.press("Undo");
       await inspector.getByRole("button", { name: ASK }).click();
-      const row = inspector.getByRole("group", { name: /^At most 1 robot in aisle 1, \+2 steps$/ });
+      const row = inspector.getByRole("group", { name: /^At most 1 robot in aisle 1, costs 2 steps of the makespan$/ });
       await row.waitFor();
       await eventually("all prices", () => inspector.locator(".rule-tag.busy").count(), (count) => count === 0);
       await inspector.getByRole("button", { name: "At most 1 robot in aisle 1: show and open" }).click();
-      await inspector.getByRole("button", { name: "Why is it worth 2 steps?" }).click();
+      await inspector.getByRole("button", { name: "Why is it worth 2 steps of the makespan?" }).click();
       await playground.picture(`rule-beside-${theme}`);
-      await inspector.getByRole("button", { name: "Why is it worth 2 steps?" }).click();
+      await inspector.getByRole("button", { name: "Why is it worth 2 steps of the makespan?" }).click();
       await inspector.getByRole("button", { name: "Why not a plan in which …?" }).click();
       await inspector.getByRole("button", { name: "Each cell stays free for 1 step behind any robot" }).click();
       await playground.picture(`rule-question-${theme}`);
@@ -265,12 +267,17 @@ describe("rules that are there", () => {
       await playground.says(/^No plan/);
       const { inspector, page } = playground;
       await page.getByRole("button", { name: "Why is there no plan?" }).first().click();
-      // A phone has no timeline without a plan.
-      if (screen === "desktop") {
-        await page.getByRole("group", { name: "When the rules that leave no plan hold" }).waitFor();
+      const times = page.getByRole("group", { name: "When the rules that leave no plan hold" });
+      if (screen === "phone") {
+        await page.getByRole("tab", { name: "Timeline" }).click();
       }
+      await times.waitFor();
       await audit(playground, "times of rules that leave no plan");
       await playground.picture(`rule-clash-${theme}`);
+      if (screen === "phone") {
+        await page.getByRole("tab", { name: "Inspector" }).click();
+        await times.waitFor({ state: "hidden" });
+      }
       await inspector.getByRole("button", { name: /^Loosen: / }).first().click();
       await inspector.getByText("The least that helps", { exact: true }).waitFor();
       await audit(playground, "a rule that is loosened");

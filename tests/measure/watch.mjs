@@ -90,7 +90,7 @@ export function solveAtOnce() {
 
 /** Milliseconds from a click on `Solve` until the plan that plays has come to its first step. */
 export function solveUntilPlaying() {
-  const hasMoved = () => !["0", undefined].includes(document.querySelector(".clock b")?.textContent);
+  const hasMoved = () => !["0", undefined].includes(document.querySelector(".clock input")?.value);
   return new Promise((resolve) => {
     const begin = performance.now();
     const buttons = [...document.querySelectorAll("button")];

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use giveway_model::words::middle_cut;
+use giveway_page::timeline::ShownName;
 use giveway_page::{State, board, form};
 use yew::prelude::*;
 
@@ -79,15 +79,24 @@ fn draw(agent: usize, name: Html, class: &'static str) -> Html {
     }
 }
 
-/// The most letters of a name in a narrow column.
-const NARROW: usize = 14;
-
 /// The name of an agent in a narrow column: of a long one the beginning and the end are seen,
-/// and all of it is read aloud.
-pub(crate) fn narrow_name(name: &str) -> Html {
-    let cut = middle_cut(name, NARROW);
-    if cut == name {
-        return html! { <bdi>{ cut }</bdi> };
+/// and all of it is read aloud. Where even that has no room, the style sheet shows the short name.
+pub(crate) fn narrow_name(name: &str, shown: &ShownName) -> Html {
+    let ShownName { cut, short } = shown;
+    let class = match cut.chars().count() {
+        ..5 => return html! { <bdi>{ cut.clone() }</bdi> },
+        5..8 => "l5",
+        8..11 => "l8",
+        _ => "l11",
+    };
+    html! {
+        <span {class}>
+            if cut == name {
+                <bdi class="cut">{ cut.clone() }</bdi>
+            } else {
+                <span class="vh">{ name.to_owned() }</span><bdi class="cut" aria-hidden="true">{ cut.clone() }</bdi>
+            }
+            <bdi class="short">{ short.clone() }</bdi>
+        </span>
     }
-    html! { <><span class="vh">{ name.to_owned() }</span><bdi aria-hidden="true">{ cut }</bdi></> }
 }

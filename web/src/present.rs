@@ -74,7 +74,7 @@ pub(crate) fn foot(state: &State, has_plan: bool, send: &Callback<Action>) -> Ht
         <section class="present-foot" aria-label={tr!("Presentation")}>
             if has_plan {
                 <div class="steps">{ slider(state, send) }{ steps(state) }</div>
-                <div class="large">{ clock(state) }{ play_keys(state, send) }</div>
+                <div class="large">{ clock(state, send) }{ play_keys(state, send) }</div>
             }
             <div class="third" aria-live="polite">
                 if let Some(third) = third {

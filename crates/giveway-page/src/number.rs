@@ -19,6 +19,28 @@ pub fn read(typed: &str, (least, most): (u32, u32)) -> Option<u32> {
     (least..=most).contains(&number).then_some(number)
 }
 
+/// The number nearest to the one that was typed, between two, both included; `None` where no
+/// whole number was typed.
+///
+/// ```
+/// use giveway_page::number::nearest;
+/// assert_eq!(nearest(" 7 ", (0, 18)), Some(7));
+/// assert_eq!(nearest("99999999999999999999", (0, 18)), Some(18));
+/// assert_eq!(nearest("-4", (0, 18)), Some(0));
+/// assert_eq!((nearest("", (0, 18)), nearest("7.5", (0, 18)), nearest("-", (0, 18))), (None, None, None));
+/// ```
+pub fn nearest(typed: &str, (least, most): (u32, u32)) -> Option<u32> {
+    let typed = typed.trim();
+    let digits = typed.strip_prefix('-').unwrap_or(typed);
+    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    // What is longer than any number is as far as it goes.
+    let number = digits.parse().unwrap_or(u32::MAX);
+    let number = if digits == typed { number } else { 0 };
+    Some(number.clamp(least, most))
+}
+
 /// What a field with a value holds after something was typed in it: that number where it is
 /// possible, else what it held before.
 pub fn taken(typed: &str, value: Option<u32>, range: (u32, u32)) -> Option<u32> {

@@ -40,6 +40,30 @@ pub struct Level {
     pub reserve: Reserve,
 }
 
+/// A row of the table: of cells, or of the levels of the battery.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowKind {
+    /// Where the robot is.
+    Cells,
+    /// How full its battery is.
+    Levels,
+}
+
+/// The rows of the table, each of a lane by its place: those of the lane that is pinned, which
+/// stay in sight, and all others.
+pub fn rows(lanes: &[Lane], pinned: Option<usize>) -> [Vec<(usize, RowKind)>; 2] {
+    let of = |is_first: bool| {
+        let lanes = lanes.iter().enumerate();
+        let lanes = lanes.filter(|(place, _)| (Some(*place) == pinned) == is_first);
+        let rows = lanes.flat_map(|(place, lane)| {
+            let levels = lane.capacity.map(|_| (place, RowKind::Levels));
+            [Some((place, RowKind::Cells)), levels]
+        });
+        rows.flatten().collect()
+    };
+    [of(true), of(false)]
+}
+
 /// Where an agent is at a time.
 pub fn place(lane: &Lane, time: u32) -> Place {
     if time == lane.arrival {
@@ -196,6 +220,22 @@ mod tests {
         );
         assert!(lines[2].contains(" 1*  "), "{text}");
         assert!(lines[4].ends_with(" 6"), "{text}");
+    }
+
+    #[test]
+    fn the_rows_of_a_lane_that_is_pinned_stand_above_all_others() {
+        let answer = warehouse();
+        let lanes = lanes(&answer, &answer.draft);
+        assert!(lanes.len() == 2 && lanes.iter().all(|lane| lane.capacity.is_some()));
+        let of = |place| [(place, RowKind::Cells), (place, RowKind::Levels)];
+        assert_eq!(rows(&lanes, None), [vec![], [of(0), of(1)].concat()]);
+        assert_eq!(rows(&lanes, Some(1)), [of(1).to_vec(), of(0).to_vec()]);
+        let mut bare = lanes;
+        bare[0].capacity = None;
+        assert_eq!(
+            rows(&bare, Some(0)),
+            [vec![(0, RowKind::Cells)], of(1).to_vec()]
+        );
     }
 
     #[test]

@@ -146,14 +146,15 @@ pub fn badges(names: &[&str], is_drawn: impl Fn(char) -> bool) -> Vec<String> {
     )
 }
 
-/// What stands on small forms: names without the letters that all of them begin with, or their
-/// first two characters where they share none. No two agents have the same.
+/// What stands on small forms: names without the letters that all of them begin with, or what
+/// stands on larger forms where they share none. No two agents have the same.
 ///
 /// ```
 /// use giveway_picture::form::numbers;
 /// assert_eq!(numbers(&["A1", "A14", "A120"]), ["1", "14", "120"]);
 /// assert_eq!(numbers(&["A10", "A11"]), ["10", "11"]);
-/// assert_eq!(numbers(&["Anna", "Bertha"]), ["An", "Be"]);
+/// assert_eq!(numbers(&["Forklift 1", "Forklift 2", "A1"]), ["F1", "F2", "A1"]);
+/// assert_eq!(numbers(&["Anna", "Bertha"]), ["Ann", "Ber"]);
 /// assert_eq!(numbers(&["carrier", "carton", "cat"]), ["1", "2", "cat"]);
 /// ```
 pub fn numbers(names: &[&str]) -> Vec<String> {
@@ -173,11 +174,7 @@ pub fn numbers(names: &[&str]) -> Vec<String> {
     if shared > 0 && rests.iter().all(fits) {
         return unique(rests, |_| true);
     }
-    let short = |name: &&str| match name.chars().count() {
-        ..=ROOM => (*name).to_owned(),
-        _ => name.chars().take(2).collect(),
-    };
-    unique(names.iter().map(short).collect(), |_| true)
+    badges(names, |_| true)
 }
 
 /// Short names of agents: each where it can be drawn and no other agent has it too, else the

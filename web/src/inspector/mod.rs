@@ -74,9 +74,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let losses = losses.filter(|_| state.view.selection == Selection::Nothing);
     let order = giveway_page::order::column(state);
     let order = order.filter(|_| state.view.selection == Selection::Nothing);
-    // Without a plan that has lanes a phone has no tabs: this place is all there is.
-    let has_lanes = state.plan().is_some() && state.awaited().is_none();
-    let alone = (!has_lanes && !state.is_inside()).then_some("alone");
+    // Without a timeline a phone has no tabs: this place is all there is.
+    let alone = (!state.has_timeline()).then_some("alone");
     // What is told of another robot or cell is read from its beginning.
     use_effect_with((state.view.selection, led), |_| to_top());
     html! {

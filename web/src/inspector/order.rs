@@ -121,7 +121,7 @@ fn robot(agent: Option<usize>, name: &str) -> Html {
     html! {
         <span class="whom">
             if let Some(agent) = agent { { glyph::show(agent, "cost-glyph") } }
-            { glyph::narrow_name(name) }
+            <bdi>{ name.to_owned() }</bdi>
         </span>
     }
 }

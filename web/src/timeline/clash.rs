@@ -20,7 +20,7 @@ pub(super) fn show(times: &ClashTimes, send: &Callback<Action>) -> Html {
     };
     let numbers = (0..columns).filter(|time| time % every == 0).map(number);
     html! {
-        <div class="clash" role="group" aria-label={tr!("When the rules that leave no plan hold")}>
+        <div class="clash" id="lanes" role="group" aria-label={tr!("When the rules that leave no plan hold")}>
             <div class="clash-row ruler"><span class="lab">{ tr!("Time") }</span>
                 <svg aria-hidden="true"><defs>
                     <pattern id="clash-shut" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(-45)"><path d="M4 0V8" /></pattern>

@@ -5,7 +5,7 @@ use std::ops::Range;
 use giveway_model::tr;
 use giveway_page::freedom::LaneMarks;
 use giveway_page::inside::{Note, Stop};
-use giveway_page::timeline::{Axis, Lane, Row};
+use giveway_page::timeline::{Axis, Lane, Row, ShownName};
 use wasm_bindgen::JsCast;
 use yew::prelude::*;
 
@@ -21,6 +21,8 @@ pub(super) struct LaneRowProps {
     pub others: Same<Vec<Lane>>,
     /// Which of the lanes.
     pub index: usize,
+    /// The robot's name beside it.
+    pub name: ShownName,
     pub axis: Axis,
     pub row: Row,
     /// The columns to draw.
@@ -103,7 +105,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                 if let Some(note) = note { <b class="no">{ note.place }</b> }
                 { glyph::show(lane.agent, "lane-glyph") }
                 <span class="lane-name">
-                    <b>{ glyph::narrow_name(&lane.name) }</b>
+                    <b>{ glyph::narrow_name(&lane.name, &props.name) }</b>
                     if let Some(note) = note {
                         <small>{ note.around.clone() }</small>
                     } else if let Some(fate) = &props.fate {

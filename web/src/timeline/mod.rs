@@ -18,6 +18,7 @@ mod seen;
 mod selected;
 mod sizing;
 mod tabs;
+mod time_field;
 mod transport;
 mod wait;
 
@@ -126,11 +127,12 @@ pub fn Dock(props: &DockProps) -> Html {
         return html! {
             <section class={classes!("dock", calm.then_some("calm"), stale.then_some("stale"))} aria-label={tr!("Timeline")}>
                 { transport(props) }
-                { part::<Tabs>(TabsProps { tab: state.view.tab, checks: state.audit().is_some() && state.lesson().is_none(), teaches: state.lesson().is_some(), inside: None::<giveway_page::inside::Method>, send: send.clone() }) }
+                { tabs(props) }
                 { part::<Plan>(PlanProps { answer: Same::new(answer), beside: state.beside().cloned().map(Same::new), notes: None::<Rc<Vec<giveway_page::inside::Note>>>, state: state.clone(), send: send.clone() }) }
             </section>
         };
     }
+    let times = giveway_page::rules::clash_times(state);
     // Nothing else is the next step, until it is asked.
     let asks_why = state.phase() == Phase::None
         && state.document.mode.asking().is_none()
@@ -150,7 +152,7 @@ pub fn Dock(props: &DockProps) -> Html {
         ),
     };
     html! {
-        <section class="dock empty" aria-label={tr!("Timeline")}>
+        <section class={classes!("dock", "empty", times.is_some().then_some("clashing"))} aria-label={tr!("Timeline")}>
             if state.can_show_robots() || state.document.fresh_answer().is_some() { <div class="over-wait">{ places(state, send) }</div> }
             <div class="nil">
                 { icon::show("clock") }
@@ -161,9 +163,25 @@ pub fn Dock(props: &DockProps) -> Html {
                     </button>
                 }
             </div>
-            if let Some(times) = giveway_page::rules::clash_times(state) { { clash::show(&times, send) } }
+            if let Some(times) = times {
+                { tabs(props) }
+                { clash::show(&times, send) }
+            }
         </section>
     }
+}
+
+/// The places of a phone below the board.
+fn tabs(props: &DockProps) -> Html {
+    let DockProps { state, send } = props;
+    part::<Tabs>(TabsProps {
+        tab: state.shown_tab(),
+        checks: state.audit().is_some() && state.lesson().is_none(),
+        teaches: state.lesson().is_some(),
+        inside: None,
+        has_table: state.playing().is_some(),
+        send: send.clone(),
+    })
 }
 
 /// Whether the lanes of a plan stand below the board, or how far it is in their room.

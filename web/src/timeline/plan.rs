@@ -7,7 +7,7 @@ use giveway_page::audit;
 use giveway_page::beside as compared;
 use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
-use giveway_page::timeline::{Lane, Row};
+use giveway_page::timeline::{Lane, Row, shown_names};
 use giveway_page::{
     Action, Answer, BoardAction, PlayAction, Selection, changing, freedom, order, table,
 };
@@ -73,6 +73,12 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         },
     );
     let lanes = Same::new(lanes);
+    let world = Same::new(Rc::clone(state.world()));
+    let names = use_memo((lanes.clone(), world), |(lanes, world)| {
+        let names: Vec<&str> = lanes.iter().map(|lane| lane.name.as_str()).collect();
+        shown_names(&names, world.agents())
+    });
+    let names = Same::new(names);
     let batteries = lanes.iter().filter(|lane| lane.capacity.is_some()).count();
     let open = Same::new(Rc::clone(state.world_of(state.beside())));
     let others = use_memo((beside.clone(), open), |(beside, draft)| match beside {
@@ -113,7 +119,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
         last: answer.makespan().max(last).max(led).max(stop),
         lanes: rest,
         lane: height,
-        rows: lanes.len() + batteries,
+        rows: table::rows(&lanes, pinned)[1].len(),
         least: table::least_column(answer),
         tells: lanes.iter().any(|lane| fate(&lane.name).is_some()),
     };
@@ -195,8 +201,9 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let lane_row = |index: usize| {
         let is_pinned = pinned == Some(index);
         let row = if is_pinned { Row::PINNED } else { row };
+        let name = names.get(index).cloned();
         html! {
-            <LaneRow key={index} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
+            <LaneRow key={index} name={name.unwrap_or_default()} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 in_zone={lanes.get(index).map(|lane| giveway_page::rules::in_lit_zone(state, &lane.name)).unwrap_or_default()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
@@ -206,6 +213,8 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 tab_stop={index == tab_stop} {is_pinned} pick={pick.clone()} />
         }
     };
+    // The names of lanes and of the table are equally wide.
+    let tells = extent.tells.then_some("tells");
     let gutter = seen.gutter.then_some("gutter");
     let spacer = |height: f64| {
         let height = height.to_string();
@@ -214,7 +223,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     };
     html! {
         <>
-            <div class={classes!("lanes", row.class(), gutter)} id="lanes" ref={lanes_ref.clone()}
+            <div class={classes!("lanes", row.class(), tells, gutter)} id="lanes" ref={lanes_ref.clone()}
                 onscroll={scrolled(&lanes_ref, &table_ref)}>
                 <div class="rows">
                     { part::<Ruler>(RulerProps { axis, columns: seen.columns.clone(), time, thumb: moved.thumb.clone(), send: send.clone() }) }
@@ -231,10 +240,10 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                     <i class="head" ref={moved.head.clone()}></i>
                 </div>
             </div>
-            <div class={classes!("tblwrap", (!state.view.table || notes.is_some()).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
+            <div class={classes!("tblwrap", (row == Row::MANY).then_some("many"), tells, (!state.view.table || notes.is_some()).then_some("closed"), gutter)} id="plan-table" ref={table_ref.clone()}
                 role="group" aria-label={tr!("Plan table")} tabindex="0"
                 onscroll={scrolled(&table_ref, &lanes_ref)}>
-                { part::<PlanTable>(PlanTableProps { lanes: lanes.clone(), axis, label: seen.label, columns: seen.columns.clone(), rows: seen.rows.clone(), beyond: seen.beyond_rows(extent), time }) }
+                { part::<PlanTable>(PlanTableProps { lanes: lanes.clone(), names: names.clone(), axis, label: seen.label, columns: seen.columns.clone(), pinned, rows: seen.rows.clone(), beyond: seen.beyond_rows(extent), time }) }
             </div>
         </>
     }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use giveway_model::tr;
 use giveway_page::Reserve;
-use giveway_page::table::{Place, level, place, spans};
-use giveway_page::timeline::{Axis, Lane};
+use giveway_page::table::{self, Place, RowKind as Kind, level, place, spans};
+use giveway_page::timeline::{Axis, Lane, ShownName};
 use yew::prelude::*;
 
 use crate::glyph;
@@ -14,12 +14,16 @@ use crate::same::Same;
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct PlanTableProps {
     pub lanes: Same<Vec<Lane>>,
+    /// The names of their robots.
+    pub names: Same<Vec<ShownName>>,
     pub axis: Axis,
     /// The width of the column of names, in pixels.
     pub label: f64,
     /// The columns to draw.
     pub columns: Range<u32>,
-    /// The rows to draw.
+    /// The lane whose rows stay above all others.
+    pub pinned: Option<usize>,
+    /// The rows to draw of those that scroll.
     pub rows: Range<usize>,
     /// The room above and below them, in pixels.
     pub beyond: (f64, f64),
@@ -27,35 +31,24 @@ pub(super) struct PlanTableProps {
     pub time: u32,
 }
 
-/// A row: of cells, or of the levels of the battery.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Cells,
-    Levels,
-}
-
 /// The table `Plan`.
 #[component]
 pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
     let PlanTableProps {
         lanes,
+        names,
         axis,
         label,
         columns,
+        pinned,
         rows,
         beyond: (above, below),
         time,
     } = props;
-    let all = use_memo(lanes.clone(), |lanes| {
-        let mut rows = Vec::new();
-        for (index, lane) in lanes.iter().enumerate() {
-            rows.push((index, Kind::Cells));
-            if lane.capacity.is_some() {
-                rows.push((index, Kind::Levels));
-            }
-        }
-        rows
+    let all = use_memo((lanes.clone(), *pinned), |(lanes, pinned)| {
+        table::rows(lanes, *pinned)
     });
+    let [first, rest] = &*all;
     let times = axis.times;
     let drawn = columns.start.min(times)..columns.end.min(times);
     // Columns that are not drawn are wide cells on each side.
@@ -68,17 +61,19 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
         html! { <th key={at} class={classes!(now)} scope="col">{ at }</th> }
     };
     let row = |at: usize| {
-        let (index, kind) = all.get(at).copied()?;
+        let above = first.get(at);
+        let pin = above.map(|_| "pin");
+        let (index, kind) = *above.or_else(|| rest.get(at - first.len()))?;
         let lane = lanes.get(index)?;
         let entries = drawn
             .clone()
             .map(|entry| cell(lane, kind, entry, entry == *time));
-        let first = (kind == Kind::Cells).then_some("first");
+        let begins = (kind == Kind::Cells).then_some("first");
         Some(html! {
-            <tr key={at} class={classes!(glyph::class(lane.agent), first, (kind == Kind::Levels).then_some("lv"))}
+            <tr key={at} class={classes!(glyph::class(lane.agent), begins, pin, (kind == Kind::Levels).then_some("lv"))}
                 aria-rowindex={(at + 2).to_string()}>
                 if kind == Kind::Cells {
-                    <th scope="row" class="lab"><span title={lane.name.clone()}>{ glyph::narrow_name(&lane.name) }{ " " }<small>{ tr!("cell") }</small></span></th>
+                    <th scope="row" class="lab"><span title={lane.name.clone()}>{ glyph::narrow_name(&lane.name, names.get(index)?) }{ " " }<small>{ tr!("cell") }</small></span></th>
                 } else {
                     <th scope="row" class="lab"><span><span class="vh">{ lane.name.clone() }{ " " }</span><small>{ tr!("level") }</small></span></th>
                 }
@@ -98,7 +93,7 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
         })
     };
     html! {
-        <table aria-label={tr!("Plan")} class="tbl" aria-rowcount={(all.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
+        <table aria-label={tr!("Plan")} class="tbl" aria-rowcount={(first.len() + rest.len() + 1).to_string()} aria-colcount={(times + 1).to_string()}
             width={(label + axis.width()).to_string()}>
             <colgroup>
                 <col class="c0" />
@@ -113,8 +108,9 @@ pub(super) fn PlanTable(props: &PlanTableProps) -> Html {
                 </tr>
             </thead>
             <tbody>
+                { for (0..first.len()).filter_map(row) }
                 { spacer(*above) }
-                { for rows.clone().filter_map(row) }
+                { for rows.clone().filter_map(|at| row(at + first.len())) }
                 { spacer(*below) }
             </tbody>
         </table>

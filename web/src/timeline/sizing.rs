@@ -26,7 +26,7 @@ pub(super) fn Sizing(props: &DockProps) -> Html {
         <section class="dock sizing" aria-label={tr!("How many?")}>
             <div class="rhead">
                 { places(state, send) }
-                if state.playing().is_some() { { play_keys(state, send) }{ clock(state) } }
+                if state.playing().is_some() { { play_keys(state, send) }{ clock(state, send) } }
                 <span class="grow"></span>
                 { tools(state) }
             </div>

@@ -16,6 +16,8 @@ pub(super) struct TabsProps {
     pub teaches: bool,
     /// What is looked into in the place of the lanes.
     pub inside: Option<Method>,
+    /// Whether there is a plan to stand in a table.
+    pub has_table: bool,
     pub send: Callback<Action>,
 }
 
@@ -33,10 +35,10 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
         checks,
         teaches,
         inside,
+        has_table,
         send,
     } = props;
-    // A proof has no plan table.
-    let count = TABS.len() - usize::from(inside.is_some());
+    let count = TABS.len() - usize::from(!has_table);
     let list = use_node_ref();
     let onkeydown = {
         let (list, send, tab) = (list.clone(), send.clone(), *tab);

@@ -11,6 +11,7 @@ use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::DockProps;
+use super::time_field::time_field;
 use crate::part::part;
 use crate::turning::{Turning, TurningProps};
 use crate::{copy, icon};
@@ -26,7 +27,7 @@ pub(super) fn transport(props: &DockProps) -> Html {
         <div class={classes!("transport", has_tabs.then_some("two"))}>
             { super::places(state, send) }
             { play_keys(state, send) }
-            { clock(state) }
+            { clock(state, send) }
             { speed(state.view.playback.speed, send) }
             { change(props) }
             <span class="grow"></span>
@@ -36,16 +37,17 @@ pub(super) fn transport(props: &DockProps) -> Html {
 }
 
 /// The time shown. No live region: nobody wants every step read aloud.
-pub(crate) fn clock(state: &State) -> Html {
+pub(crate) fn clock(state: &State, send: &Callback<Action>) -> Html {
     let (time, last) = (state.view.playback.time, state.last_time());
+    let field = time_field((time, last), state.view.playback.playing, send);
     let changes = state.document.mode.changing();
     if changes.is_some() && state.document.mode.comparing().is_none() {
         return html! {
-            <p class="clock" title={tr!("The world changes at time {last}", last)}><b>{ time }</b><span>{ tr!("after a bold number" => "change at {last}", last) }</span></p>
+            <p class="clock" title={tr!("The world changes at time {last}", last)}>{ field }<span>{ tr!("after a bold number" => "change at {last}", last) }</span></p>
         };
     }
     html! {
-        <p class="clock" title={tr!("Time {time} of {last}", time, last)}><b>{ time }</b><span>{ tr!("after a bold number" => " of {last}", last) }</span>
+        <p class="clock" title={tr!("Time {time} of {last}", time, last)}>{ field }<span>{ tr!("after a bold number" => " of {last}", last) }</span>
             if let Some(passed) = words::duration(state.world().scene().units, time) { <small>{ passed }</small> }</p>
     }
 }

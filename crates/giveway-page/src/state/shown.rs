@@ -6,8 +6,9 @@ use giveway_model::{Costs, Plan};
 
 use crate::audit::Beside;
 use crate::planners::Runs;
+use crate::rules::clash_times;
 use crate::steering::Steering;
-use crate::{Activity, Answer, Draft, Solving, State, Task};
+use crate::{Activity, Answer, Draft, Solving, State, Tab, Task};
 
 impl State {
     /// Whether more of an answer to the question is being looked for.
@@ -44,6 +45,21 @@ impl State {
         let is_new = self.so_far().is_some() && self.document.fresh_answer().is_none();
         let waits = (is_new || self.playing().is_none()) && !self.is_inside();
         self.work.solving().filter(|_| waits)
+    }
+
+    /// Whether the timeline has something to show: a plan, what is looked into, or the times of
+    /// rules that leave no plan. Without it a phone has no tabs.
+    pub fn has_timeline(&self) -> bool {
+        let has_times = || self.plan().is_some() || clash_times(self).is_some();
+        self.is_inside() || (self.awaited().is_none() && has_times())
+    }
+
+    /// The tab that a phone shows: without a plan there is no table of it.
+    pub fn shown_tab(&self) -> Tab {
+        match self.view.tab {
+            Tab::Plan if self.plan().is_none() => Tab::Inspector,
+            tab => tab,
+        }
     }
 
     /// Whether the board shows a plan that is gone when the page is opened again: one of

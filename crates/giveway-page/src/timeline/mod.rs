@@ -4,12 +4,14 @@
 mod axis;
 mod gauge;
 mod lane;
+mod names;
 mod row;
 mod shapes;
 
 pub use axis::{Axis, MIN_COLUMN, whole};
 pub use gauge::{Gauge, gauge, work_done};
 pub use lane::{Lane, Step, Turn, Way};
+pub use names::{ShownName, shown_names};
 pub use row::Row;
 pub use shapes::Shapes;
 pub(crate) use shapes::{rounded, stripes};

@@ -60,7 +60,7 @@ pub(super) fn Inside(props: &DockProps) -> Html {
                 <span class="grow"></span>
                 { methods(state, send) }
             </div>
-            { part::<Tabs>(TabsProps { tab: state.view.tab, checks: false, teaches: false, inside: Some(state.inside.method), send: send.clone() }) }
+            { part::<Tabs>(TabsProps { tab: state.view.tab, checks: false, teaches: false, inside: Some(state.inside.method), has_table: false, send: send.clone() }) }
             { body(props) }
             <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
         </section>

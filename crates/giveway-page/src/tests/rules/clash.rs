@@ -7,7 +7,7 @@ use crate::board::{Cast, Kind, kept_free, legend, reasons, rule_shapes, rules_no
 use crate::reduce::tests::after;
 use crate::rules::{RuleAction, clash_times, in_clash_robots, list, short_way};
 use crate::tests::answered;
-use crate::{Action, AskAction, Draft, PlayAction, State};
+use crate::{Action, AskAction, Draft, PlayAction, State, Tab, ViewAction};
 
 /// The aisle is closed until 12, A1 has to arrive by 9: it has to pass the aisle, which takes it 10
 /// steps at least.
@@ -55,6 +55,21 @@ fn rules_that_leave_no_plan_are_red_at_their_signs() {
         .map(|spot| spot.number)
         .collect();
     assert!(numbers.len() >= 2, "{numbers:?}");
+}
+
+#[test]
+fn a_phone_has_a_tab_for_their_times() {
+    assert!(!stuck().has_timeline(), "nobody asked why");
+    let plan = Action::View(ViewAction::ShowTab(Tab::Plan));
+    let asked = after(&asked(), [plan]);
+    assert!(asked.has_timeline() && clash_times(&asked).is_some());
+    // There is no plan to stand in a table.
+    assert_eq!(asked.shown_tab(), Tab::Inspector);
+    let times = after(&asked, [Action::View(ViewAction::ShowTab(Tab::Timeline))]);
+    assert_eq!(times.shown_tab(), Tab::Timeline);
+    // While a search goes on its bounds stand there.
+    let searching = after(&times, [Action::Solve]);
+    assert!(searching.awaited().is_some() && !searching.has_timeline());
 }
 
 #[test]
