@@ -87,9 +87,10 @@ impl Stage {
     fn things(&self, when: &mut When<'_>) -> String {
         let zones = self.zones_at(when);
         let (agents, flags) = (self.agents(when), self.flags(when));
-        let (below, above) = match self.detail.covers_marks() {
-            true => (flags, agents),
-            false => (agents, flags),
+        let (below, above) = if self.detail.covers_marks() {
+            (flags, agents)
+        } else {
+            (agents, flags)
         };
         [zones, below, above, self.rule_tags(), self.stays_at(when)].concat()
     }
