@@ -48,7 +48,16 @@ impl Report {
         if self.units.is_some() {
             heads.push(tr!("Arrives, seconds"));
         }
-        heads.extend([tr!("Waits"), tr!("Charges"), tr!("Lowest level")]);
+        let has_alone = self.robots.iter().any(|row| row.alone.is_some());
+        if has_alone {
+            heads.extend([tr!("an arrival" => "Alone"), tr!("Delay")]);
+        }
+        heads.extend([
+            tr!("Waits"),
+            tr!("Charges"),
+            tr!("Lowest level"),
+            tr!("Level at the goal"),
+        ]);
         let heads = heads.into_iter().map(csv::text).collect();
         let rows = self.robots.iter().map(|row| {
             let cell = |cell: &giveway_model::Cell| format!("{}, {}", cell.x, cell.y);
@@ -67,13 +76,15 @@ impl Report {
                 };
                 cells.push(csv::text(&row.arrives.map(seconds).unwrap_or_default()));
             }
+            let number = |level: Option<i64>| level.map(|n| n.to_string()).unwrap_or_default();
+            if has_alone {
+                cells.push(number(row.alone.map(|(time, _)| time.into())));
+                cells.push(number(row.alone.map(|(_, delay)| delay.into())));
+            }
             cells.push(row.waits.to_string());
             cells.push(row.charges.len().to_string());
-            cells.push(
-                row.lowest
-                    .map(|level| level.to_string())
-                    .unwrap_or_default(),
-            );
+            cells.push(number(row.lowest));
+            cells.push(number(row.battery.as_ref().and_then(|it| it.at_goal)));
             cells
         });
         csv::table(std::iter::once(heads).chain(rows))

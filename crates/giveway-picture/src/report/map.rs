@@ -6,13 +6,11 @@ use std::fmt::{Arguments, Write as _};
 
 use giveway_model::{Cell, Grid, Ground, tr};
 
-use super::{BusyCell, RobotRow, Sign, Subject};
+use super::{BusyCell, RobotRow, Sign, Subject, marks};
 use crate::outline::around;
 use crate::xml::Escaped;
 use crate::{CELL, lines};
 
-/// The sizes of letters, in units, by how many there are: of one or two, and of three.
-const TEXT: [u32; 2] = [56, 42];
 /// Of larger maps no lines are drawn between cells.
 const LINED: u32 = 64;
 /// The side of a cell where there is room, in pixels.
@@ -29,12 +27,7 @@ pub(super) fn map(
     let grid = subject.grid();
     let mut svg = sheet(grid);
     let ground = ground(&mut svg, grid);
-    for robot in robots {
-        goal(&mut svg, robot);
-    }
-    for robot in robots {
-        start(&mut svg, robot);
-    }
+    marks::marks(&mut svg, robots);
     for busy in busiest {
         let is_taken = is_taken(busy.cell, robots) || grid.is_charger(busy.cell);
         letter(&mut svg, busy, is_taken);
@@ -170,31 +163,6 @@ fn numbers(svg: &mut String, (width, height): (u32, u32), rim: f64) {
     }
 }
 
-fn start(svg: &mut String, robot: &RobotRow) {
-    let (x, y) = middle(robot.start);
-    push(
-        svg,
-        format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"46\" stroke=\"#fff\" stroke-width=\"4\"/>"),
-    );
-    text(svg, (x, y), &robot.number, "#fff");
-}
-
-fn goal(svg: &mut String, robot: &RobotRow) {
-    let Some(goal) = robot.goal else {
-        return;
-    };
-    let (x, y) = middle(goal);
-    push(
-        svg,
-        format_args!(
-            "<rect x=\"{}\" y=\"{}\" width=\"84\" height=\"84\" rx=\"8\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"7\"/>",
-            i64::from(x) - 42,
-            i64::from(y) - 42
-        ),
-    );
-    text(svg, (x, y), &robot.number, "#000");
-}
-
 /// The letter of a busy cell; in the corner where something else stands there.
 fn letter(svg: &mut String, busy: &BusyCell, is_taken: bool) {
     let Cell { x, y } = busy.cell;
@@ -220,19 +188,6 @@ fn letter(svg: &mut String, busy: &BusyCell, is_taken: bool) {
     );
 }
 
-fn text(svg: &mut String, (x, y): (u32, u32), text: &str, ink: &str) {
-    let is_long = text.chars().count() > 2;
-    let size = TEXT[usize::from(is_long)];
-    push(
-        svg,
-        format_args!(
-            "<text x=\"{x}\" y=\"{}\" text-anchor=\"middle\" font-size=\"{size}\" font-weight=\"700\" fill=\"{ink}\">{}</text>",
-            y + size * 36 / 100,
-            Escaped(text)
-        ),
-    );
-}
-
 /// Whether a start or a goal is on a cell.
 fn is_taken(cell: Cell, robots: &[RobotRow]) -> bool {
     let mut robots = robots.iter();
@@ -254,11 +209,11 @@ fn breakdowns(subject: &Subject<'_>) -> BTreeSet<Cell> {
 }
 
 /// The middle of a cell, in units.
-const fn middle(cell: Cell) -> (u32, u32) {
+pub(super) const fn middle(cell: Cell) -> (u32, u32) {
     (100 * cell.x + 50, 100 * cell.y + 50)
 }
 
-fn push(svg: &mut String, text: Arguments<'_>) {
+pub(super) fn push(svg: &mut String, text: Arguments<'_>) {
     // A string takes everything.
     let _ = svg.write_fmt(text);
 }

@@ -1,11 +1,14 @@
-//! The report of a plan, to be read on paper: what is proved, the map, costs, changes, each robot,
-//! the busiest cells, the questions that were asked. Plain data, and its words as HTML and CSV.
+//! The report of a plan, to be read on paper: what is proved, the map, costs, changes, who is last
+//! and why, each robot, batteries, the busiest cells, the questions that were asked. Plain data, and its words as HTML and CSV.
 
+mod batteries;
 mod busy;
 mod csv;
 mod facts;
 mod html;
+mod last;
 mod map;
+mod marks;
 mod robots;
 mod subject;
 #[cfg(test)]
@@ -14,6 +17,9 @@ mod tests;
 use giveway_model::{Cell, Cost, Units};
 
 pub use subject::Subject;
+
+/// A longer link is not printed: nobody would type it.
+const LONGEST_LINK: usize = 2000;
 
 /// What a front knows of a plan beside the plan itself.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -32,6 +38,23 @@ pub struct Known {
     pub methods: Vec<(u32, String)>,
     /// The questions that were asked.
     pub questions: Vec<Question>,
+    /// What robots lose against their ways alone, where that is known.
+    pub delays: Vec<LoneDelay>,
+    /// The address that opens the plan on the page, where it is short enough.
+    pub link: Option<String>,
+}
+
+/// What a robot loses against its best way alone.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LoneDelay {
+    /// The robot.
+    pub robot: String,
+    /// When it would arrive alone, in steps.
+    pub alone: u32,
+    /// How many steps it loses.
+    pub delay: u32,
+    /// Whom it lets pass, as a sentence.
+    pub why: String,
 }
 
 /// A question that was asked of the plan, with its answer.
@@ -39,6 +62,8 @@ pub struct Known {
 pub struct Question {
     /// The question.
     pub asked: String,
+    /// Which plan it was about, as a sentence, where it is another one.
+    pub about: Option<String>,
     /// The verdict in a word or two.
     pub verdict: String,
     /// The reasons, a sentence each.
@@ -60,6 +85,8 @@ pub struct Report {
     pub costs: Vec<CostRow>,
     /// What changed while the plan ran, by time.
     pub changes: Vec<ChangeRow>,
+    /// Who is last and why, a sentence each; nothing where nobody arrives.
+    pub last: Vec<String>,
     /// The robots, in the order of the scene.
     pub robots: Vec<RobotRow>,
     /// The busiest cells, the first one first.
@@ -122,6 +149,25 @@ pub struct RobotRow {
     pub charges: Vec<u32>,
     /// The lowest level of its battery; `None` without one.
     pub lowest: Option<i64>,
+    /// Its battery; `None` without one.
+    pub battery: Option<BatteryRow>,
+    /// When it would arrive alone, in steps, and how many it loses; `None` where that is not known.
+    pub alone: Option<(u32, u32)>,
+}
+
+/// A battery on its way.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BatteryRow {
+    /// How much it holds.
+    pub capacity: u32,
+    /// Its level when the robot begins.
+    pub initial: u32,
+    /// Its least level up to the arrival.
+    pub least: i64,
+    /// Where and when it is that for the first time.
+    pub least_at: Option<(Cell, u32)>,
+    /// Its level at the goal; `None` where the robot does not arrive.
+    pub at_goal: Option<i64>,
 }
 
 /// A cell that is often used.
@@ -160,8 +206,9 @@ pub enum Sign {
 
 impl Report {
     /// The report of a plan.
-    pub fn of(subject: &Subject<'_>, known: Known) -> Self {
-        let robots = robots::rows(subject);
+    pub fn of(subject: &Subject<'_>, mut known: Known) -> Self {
+        known.link = known.link.filter(|link| link.len() <= LONGEST_LINK);
+        let robots = robots::rows(subject, &known);
         let busiest = busy::busiest(subject);
         let (map, signs) = map::map(subject, &robots, &busiest);
         Self {
@@ -170,6 +217,7 @@ impl Report {
             costs_told: facts::costs_told(subject),
             costs: facts::costs(subject, &known),
             changes: facts::changes(subject, &known),
+            last: last::told(subject, &robots, &known),
             units: subject.units(),
             robots,
             busiest,

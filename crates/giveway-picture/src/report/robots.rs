@@ -3,21 +3,21 @@
 use giveway_model::Cell;
 
 use super::subject::Robot;
-use super::{RobotRow, Subject};
+use super::{Known, RobotRow, Subject, batteries};
 use crate::form;
 
 /// The robots, in the order of the scene.
-pub(super) fn rows(subject: &Subject<'_>) -> Vec<RobotRow> {
+pub(super) fn rows(subject: &Subject<'_>, known: &Known) -> Vec<RobotRow> {
     let names = subject.robots.iter();
     let names: Vec<&str> = names.map(|robot| robot.agent.name.as_str()).collect();
     let numbers = form::numbers(&names);
     let robots = subject.robots.iter().zip(numbers);
     robots
-        .map(|(robot, number)| row(subject, robot, number))
+        .map(|(robot, number)| row(subject, known, robot, number))
         .collect()
 }
 
-fn row(subject: &Subject<'_>, robot: &Robot, number: String) -> RobotRow {
+fn row(subject: &Subject<'_>, known: &Known, robot: &Robot, number: String) -> RobotRow {
     let way = subject.way(robot);
     let waits = way
         .windows(2)
@@ -29,6 +29,8 @@ fn row(subject: &Subject<'_>, robot: &Robot, number: String) -> RobotRow {
     };
     let mut waypoints: Vec<_> = robot.agent.waypoints.iter().map(visit).collect();
     giveway_model::sorting::sort_by_key(&mut waypoints, |&(_, time)| time.unwrap_or(u32::MAX));
+    let mut delays = known.delays.iter();
+    let alone = delays.find(|delay| delay.robot == robot.agent.name);
     RobotRow {
         name: robot.agent.name.clone(),
         number,
@@ -41,5 +43,7 @@ fn row(subject: &Subject<'_>, robot: &Robot, number: String) -> RobotRow {
         waits: u32::try_from(waits).unwrap_or(u32::MAX),
         charges: subject.plan.charges(&robot.agent.name).to_vec(),
         lowest: robot.levels.iter().min().copied(),
+        battery: batteries::row(subject, robot),
+        alone: alone.map(|delay| (delay.alone, delay.delay)),
     }
 }

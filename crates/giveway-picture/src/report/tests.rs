@@ -1,5 +1,8 @@
 //! Reports: every figure counted a second time, and names that cannot be markup or formulas.
 
+mod last;
+mod marks;
+
 use giveway_model::change::Changes;
 use giveway_model::format::native::{read_changes, read_instance, read_plan};
 use giveway_model::{Cell, Cost, Instance, Plan, check};
@@ -71,6 +74,14 @@ fn robots_have_their_visits_waits_and_levels() {
     assert_eq!(first.charges, [2]);
     let levels = check::levels(&instance, 0, &plan);
     assert_eq!(first.lowest, levels.iter().min().copied());
+    let battery = first.battery.clone().unwrap();
+    assert_eq!((battery.capacity, battery.initial), (9, 5));
+    assert_eq!(Some(battery.least), first.lowest);
+    let (cell, time) = battery.least_at.unwrap();
+    assert_eq!(levels[time as usize], battery.least);
+    assert_eq!(plan.path("=A1")[time as usize], Some(cell));
+    assert_eq!(battery.at_goal, levels.get(4).copied(), "it arrives at 4");
+    assert_eq!(second.battery, None);
     assert_eq!((second.arrives, second.waits), (Some(6), 1));
     assert_eq!((second.lowest, second.goal), (None, Some(Cell::new(0, 1))));
 }
@@ -118,7 +129,7 @@ fn names_are_neither_markup_nor_formulas() {
     let lines: Vec<&str> = robots.split("\r\n").collect();
     assert_eq!(
         lines[0],
-        "\u{feff}Robot,Start,Waypoints,Goal,Arrives,\"Arrives, seconds\",Waits,Charges,Lowest level"
+        "\u{feff}Robot,Start,Waypoints,Goal,Arrives,\"Arrives, seconds\",Waits,Charges,Lowest level,Level at the goal"
     );
     assert!(
         lines[1].starts_with("'=A1,\"0, 0\",\"1, 0\",\"3, 0\",4,6,1,1,"),
@@ -145,6 +156,7 @@ fn the_page_is_well_formed_and_tells_every_row() {
     assert_eq!(rows("report-robots"), 2);
     assert_eq!(rows("report-costs"), 5);
     assert_eq!(rows("report-busiest"), 4);
+    assert_eq!(rows("report-batteries"), 1, "one robot has a battery");
     assert_eq!(
         told.signs,
         [

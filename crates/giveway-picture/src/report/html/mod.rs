@@ -29,9 +29,12 @@ impl Report {
         self.head(&mut html);
         self.costs_table(&mut html);
         self.changes_table(&mut html);
+        self.who_is_last(&mut html);
         self.robots_table(&mut html);
+        self.batteries_table(&mut html);
         self.busiest_table(&mut html);
         self.questions(&mut html);
+        self.link(&mut html);
         html + "</article>\n"
     }
 
@@ -68,6 +71,30 @@ impl Report {
         html.push_str("</figcaption></figure>\n");
     }
 
+    fn who_is_last(&self, html: &mut String) {
+        if self.last.is_empty() {
+            return;
+        }
+        heading(html, tr!("Who is last, and why"));
+        html.push_str("<ul class=\"report-last\">");
+        for sentence in &self.last {
+            let _ = write!(html, "<li>{}</li>", Escaped(sentence));
+        }
+        html.push_str("</ul>\n");
+    }
+
+    /// The address that opens the plan, as text: it can be read from paper, too.
+    fn link(&self, html: &mut String) {
+        if let Some(link) = &self.known.link {
+            let link = Escaped(link);
+            let _ = writeln!(
+                html,
+                "<p class=\"report-link\">{} <a href=\"{link}\">{link}</a></p>",
+                Escaped(tr!("This plan on the page:"))
+            );
+        }
+    }
+
     fn questions(&self, html: &mut String) {
         if self.known.questions.is_empty() {
             return;
@@ -76,6 +103,7 @@ impl Report {
         html.push_str("<ol>");
         for Question {
             asked,
+            about,
             verdict,
             reasons,
         } in &self.known.questions
@@ -86,6 +114,9 @@ impl Report {
                 Escaped(asked),
                 Escaped(verdict)
             );
+            if let Some(about) = about {
+                let _ = write!(html, "<p class=\"note\">{}</p>", Escaped(about));
+            }
             if !reasons.is_empty() {
                 let _ = write!(html, "<p>{}</p>", Escaped(&reasons.join(" ")));
             }

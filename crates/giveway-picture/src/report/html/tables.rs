@@ -78,10 +78,9 @@ impl Report {
     pub(super) fn robots_table(&self, html: &mut String) {
         heading(html, tr!("Robots"));
         let has = |is: fn(&RobotRow) -> bool| self.robots.iter().any(is);
-        let (waypoints, charges, levels) = (
+        let (waypoints, alone) = (
             has(|row| !row.waypoints.is_empty()),
-            has(|row| !row.charges.is_empty()),
-            has(|row| row.lowest.is_some()),
+            has(|row| row.alone.is_some()),
         );
         let mut heads = vec![(tr!("Robot"), ""), (tr!("Start"), "")];
         if waypoints {
@@ -91,13 +90,10 @@ impl Report {
         if self.units.is_some() {
             heads.push((tr!("after"), N));
         }
+        if alone {
+            heads.extend([(tr!("an arrival" => "Alone"), N), (tr!("Delay"), N)]);
+        }
         heads.push((tr!("Waits"), N));
-        if charges {
-            heads.push((tr!("Charges at"), N));
-        }
-        if levels {
-            heads.push((tr!("Lowest level"), N));
-        }
         begin(html, "report-robots", &heads);
         for row in &self.robots {
             let _ = write!(html, "<tr><th scope=\"row\">{}</th>", Escaped(&row.name));
@@ -127,18 +123,63 @@ impl Report {
                 cell(html, N, &time.unwrap_or_default());
             }
             let some = |n: u32| if n == 0 { String::new() } else { n.to_string() };
+            if alone {
+                let number = |n: Option<u32>| n.map(|n| n.to_string()).unwrap_or_default();
+                cell(html, N, &number(row.alone.map(|(time, _)| time)));
+                let delay = row.alone.map(|(_, delay)| some(delay));
+                cell(html, N, &delay.unwrap_or_default());
+            }
             cell(html, N, &some(row.waits));
-            if charges {
-                let times: Vec<String> = row.charges.iter().map(u32::to_string).collect();
-                cell(html, N, &times.join(", "));
-            }
-            if levels {
-                cell(
-                    html,
-                    N,
-                    &row.lowest.map(|n| n.to_string()).unwrap_or_default(),
-                );
-            }
+            html.push_str("</tr>\n");
+        }
+        end(html);
+        if alone {
+            let note = if self.changes.is_empty() {
+                tr!("Alone: when the robot would arrive if no other robot were there.")
+            } else {
+                tr!(
+                    "Alone: when the robot would arrive if no other robot were there from the last change on."
+                )
+            };
+            let _ = writeln!(html, "<p class=\"note\">{}</p>", Escaped(note));
+        }
+    }
+
+    pub(super) fn batteries_table(&self, html: &mut String) {
+        let with_battery = || {
+            let rows = self.robots.iter();
+            rows.filter_map(|row| Some((row, row.battery.as_ref()?)))
+        };
+        if with_battery().next().is_none() {
+            return;
+        }
+        heading(html, tr!("Batteries, in steps"));
+        let heads = [
+            (tr!("Robot"), ""),
+            (tr!("a battery" => "Holds"), N),
+            (tr!("a battery" => "At the start"), N),
+            (tr!("Least on the way"), N),
+            (tr!("where, and when"), ""),
+            (tr!("At the goal"), N),
+            (tr!("Charges"), N),
+            (tr!("Charges at"), N),
+        ];
+        begin(html, "report-batteries", &heads);
+        for (row, battery) in with_battery() {
+            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", Escaped(&row.name));
+            cell(html, N, &battery.capacity);
+            cell(html, N, &battery.initial);
+            cell(html, N, &format!("<b>{}</b>", battery.least));
+            let least_at = battery.least_at.map(|(at, time)| {
+                let at = format!("{}, {}", at.x, at.y);
+                tr!("{cell} at {time}", cell = at, time)
+            });
+            cell(html, "", &least_at.unwrap_or_default());
+            let at_goal = battery.at_goal.map(|level| level.to_string());
+            cell(html, N, &at_goal.unwrap_or_default());
+            cell(html, N, &row.charges.len());
+            let times: Vec<String> = row.charges.iter().map(u32::to_string).collect();
+            cell(html, N, &times.join(", "));
             html.push_str("</tr>\n");
         }
         end(html);
