@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use giveway_model::Objective;
 
-use super::{Source, seconds};
+use super::{Address, Source, seconds};
 
 /// A plan to be reported, with what is proved of it.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
 A report is one page of HTML that needs nothing else, to be read on a screen or printed: the map,
-what is proved, costs, changes, each robot, the busiest cells. It is the report that the page
-prints, with the same figures. Where the instance has units, metres and seconds stand beside steps.
+what is proved, costs, changes, who is last and why, each robot, batteries, the busiest cells. It is
+the report that the page prints, with the same figures. Where the instance has units, metres and seconds stand beside steps.
 
 Without a PLAN the best one is looked for. A plan that is given is compared with the best, for
 as long as --time-limit says; one that breaks a rule is reported with the number of violations,
@@ -45,6 +45,10 @@ pub(crate) struct Report {
     /// The file to write the report to, .html. Without it, it goes to standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+    /// Print a link to the page at this address, which shows the plan there, where the link has at
+    /// most 2000 characters [default: where the page is published, if it is]
+    #[arg(long, value_name = "URL")]
+    pub(crate) address: Option<Address>,
     /// Write a table, too: where each robot is at each time, and the level of its battery
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,

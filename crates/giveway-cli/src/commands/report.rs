@@ -1,8 +1,9 @@
 //! `giveway report`: a plan on paper, with what is proved of it.
 
 use giveway_model::{Cost, Instance, Plan};
-use giveway_picture::report::{Known, Report, Subject};
+use giveway_picture::report::{Known, LoneDelay, Report, Subject};
 use giveway_solve::audit::{AuditRequest, AuditStatus, words::headline_under};
+use giveway_solve::delays::{AgentDelay, DelaysRequest, words::row};
 use giveway_solve::words::{proved, reason};
 use giveway_solve::{
     CheckRequest, Limits, Refusal, Request, Response, SolveAnswer, SolveRequest, serve,
@@ -15,7 +16,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input,
-    output::{Said, files, stream},
+    output::{Said, files, report::Link, stream},
     progress::CommandHost,
 };
 
@@ -34,7 +35,7 @@ pub(crate) fn run(args: &Args, common: &Common, clock: Clock) -> Result<Exit, Fa
         clock,
         instance: &instance,
     };
-    let (plan, known, exit) = match &args.plan {
+    let (plan, mut known, exit) = match &args.plan {
         None => asker.solved()?,
         Some(path) => {
             let plan = match &changes {
@@ -48,6 +49,14 @@ pub(crate) fn run(args: &Args, common: &Common, clock: Clock) -> Result<Exit, Fa
             (plan, known, exit)
         }
     };
+    if let Exit::Answered = exit {
+        known.delays = asker.delays(&plan, changes.as_ref());
+        if changes.is_none() {
+            let scene = instance.to_scene();
+            let link = Link::planned(args.address.as_ref(), &scene, &plan);
+            known.link = link.address().map(str::to_owned);
+        }
+    }
     if !common.quiet {
         for note in said.notes() {
             stream::note(&format!("note: {note}"));
@@ -156,6 +165,28 @@ impl Asker<'_> {
             ..Known::default()
         };
         Ok((known, exit))
+    }
+
+    /// What each robot loses against its way alone; nothing where that is not found in time.
+    fn delays(&self, plan: &Plan, changes: Option<&input::ChangesFile>) -> Vec<LoneDelay> {
+        let request = Request::Delays(DelaysRequest {
+            scene: self.instance.to_scene(),
+            plan: Some(plan.clone()),
+            changes: changes.map(|file| file.changes.clone()),
+            ledger_only: true,
+            limits: self.limits(),
+            ..DelaysRequest::default()
+        });
+        let Response::Delays(answer) = self.ask(&request) else {
+            return Vec::new();
+        };
+        let lone = |told: &AgentDelay| LoneDelay {
+            robot: told.agent.clone(),
+            alone: told.alone,
+            delay: told.delay,
+            why: row(told),
+        };
+        answer.agents.iter().map(lone).collect()
     }
 
     /// Whether a plan around which the world changes keeps the rules.

@@ -76,6 +76,34 @@ fn the_best_plan_is_reported_with_its_proof() {
 }
 
 #[test]
+fn a_report_tells_who_is_last_and_how_batteries_fare() {
+    let folder = folder();
+    let html = folder.run("report warehouse.json").out;
+    let robots = rows(&html, "report-robots");
+    let last = robots.iter().find(|row| row[4] == "18").unwrap();
+    assert!(html.contains(&format!("<li>{} arrives last, at 18.</li>", last[0])));
+    // Its arrival alone, and what it loses.
+    let [alone, delay] = [&last[5], &last[6]].map(|cell| cell.parse::<u32>().unwrap_or(0));
+    assert_eq!(alone + delay, 18, "{robots:?}");
+    assert!(html.contains(&format!("Alone, {} would arrive at {alone}", last[0])));
+    let batteries = rows(&html, "report-batteries");
+    let charges = batteries.iter().map(|row| row[6].parse::<u32>().unwrap());
+    assert_eq!(charges.sum::<u32>(), 3, "as many as the plan costs");
+    for row in &batteries {
+        let levels = [2, 3, 5].map(|column| row[column].parse::<i64>().unwrap());
+        assert!(levels[1] <= levels[0].min(levels[2]), "the least: {row:?}");
+    }
+}
+
+#[test]
+fn the_link_is_printed_where_the_page_is_known() {
+    let folder = folder();
+    let run = folder.run("report warehouse.json --address https://example.org/giveway/");
+    let link = "<a href=\"https://example.org/giveway/#giveway=1&amp;check=";
+    assert!(run.out.contains(link), "{}", run.out);
+}
+
+#[test]
 fn a_plan_that_is_given_is_compared_with_the_best() {
     let folder = folder();
     let run = folder.run("report warehouse.json warehouse.plan.json");
@@ -145,7 +173,12 @@ fn changes_are_part_of_the_report() {
         [["1", "R1 breaks down for 2 steps"]]
     );
     let robots = rows(&run.out, "report-robots");
-    assert_eq!(robots[0], ["R1", "0, 0", "3, 0", "5", "2"]);
+    // Alone it would be broken down, too.
+    assert_eq!(robots[0], ["R1", "0, 0", "3, 0", "5", "5", "", "2"]);
+    assert!(
+        run.out
+            .contains("R1 is broken down at (1, 0) between 1 and 3.")
+    );
     assert!(run.out.contains("sign-breakdown"));
 }
 

@@ -2,8 +2,8 @@
 
 pub mod audit;
 
-use giveway_model::Scene;
-use giveway_model::format::link::{LONGEST, MAX_AGENTS, MAX_SIDE, scene, seal};
+use giveway_model::format::link::{LONGEST, MAX_AGENTS, MAX_SIDE, plan, scene, seal};
+use giveway_model::{Plan, Scene};
 
 use crate::ForeignPlan;
 
@@ -22,10 +22,7 @@ use crate::ForeignPlan;
 /// assert!(text.starts_with("giveway=1&check=") && text.contains("&map=3.3f&name=a&"));
 /// ```
 pub fn audited(scene: &Scene, plan: &ForeignPlan, notes: &[String]) -> Option<String> {
-    let rows = scene.map.iter();
-    let side = rows.map(|row| row.chars().count()).chain([scene.map.len()]);
-    let is_large = side.max() > Some(MAX_SIDE as usize);
-    if is_large || scene.agents.len() > MAX_AGENTS {
+    if is_large(scene) {
         return None;
     }
     let audited = audit::AuditedPlans {
@@ -39,4 +36,21 @@ pub fn audited(scene: &Scene, plan: &ForeignPlan, notes: &[String]) -> Option<St
     text += &audit::write(&scene.agents, audited, None);
     let text = seal::write(&text);
     (text.len() <= LONGEST).then_some(text)
+}
+
+/// A text that opens a plan of the scene's own; `None` where the page does not take it.
+pub fn planned(scene: &Scene, plan: &Plan) -> Option<String> {
+    if is_large(scene) {
+        return None;
+    }
+    let plan = plan::write(&scene.agents, plan)?;
+    let text = seal::write(&format!("{}&plan={plan}", scene::write(scene)));
+    (text.len() <= LONGEST).then_some(text)
+}
+
+/// Whether the page takes no such map, or not so many agents.
+fn is_large(scene: &Scene) -> bool {
+    let rows = scene.map.iter();
+    let side = rows.map(|row| row.chars().count()).chain([scene.map.len()]);
+    side.max() > Some(MAX_SIDE as usize) || scene.agents.len() > MAX_AGENTS
 }

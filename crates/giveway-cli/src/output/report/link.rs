@@ -2,7 +2,7 @@
 
 use giveway_formats::ForeignPlan;
 use giveway_formats::link;
-use giveway_model::Scene;
+use giveway_model::{Plan, Scene};
 
 use crate::args::Address;
 
@@ -28,12 +28,20 @@ impl Link {
         plan: &ForeignPlan,
         notes: &[String],
     ) -> Self {
+        Self::to(address, || link::audited(scene, plan, notes))
+    }
+
+    /// A link to a plan of the scene's own.
+    pub(crate) fn planned(address: Option<&Address>, scene: &Scene, plan: &Plan) -> Self {
+        Self::to(address, || link::planned(scene, plan))
+    }
+
+    fn to(address: Option<&Address>, text: impl FnOnce() -> Option<String>) -> Self {
         let address = address.map_or(PUBLISHED, Address::as_str);
         if address.is_empty() {
             return Self::Nowhere;
         }
-        link::audited(scene, plan, notes)
-            .map_or(Self::TooLarge, |text| Self::To(format!("{address}#{text}")))
+        text().map_or(Self::TooLarge, |text| Self::To(format!("{address}#{text}")))
     }
 
     /// The address, where there is one.
