@@ -11,7 +11,7 @@ use crate::front::Front;
 use crate::ledger::Ledger;
 use crate::order::OrderKnown;
 use crate::planners::Runs;
-use crate::{Activity, Answer, Colours, Draft, Looks, Mode};
+use crate::{Activity, Answer, Asking, Colours, Draft, Looks, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
 /// and links hold whole documents. Its parts are never changed, only replaced, so
@@ -41,6 +41,8 @@ pub struct Document {
     pub(crate) found_ledger: Option<Rc<Ledger>>,
     /// Who passes a cell after whom; it may be of an older answer, see [`Document::order`].
     pub(crate) found_order: Option<Rc<OrderKnown>>,
+    /// The questions that were answered, in the order in which they were asked; a report tells them.
+    pub(crate) asked: Rc<Vec<Rc<Asking>>>,
     /// What is being done with the plan.
     pub mode: Mode,
     /// Which look each agent has: its form, and the colour that comes with it.
@@ -62,6 +64,7 @@ impl Document {
             found_freedom: None,
             found_ledger: None,
             found_order: None,
+            asked: Rc::default(),
             mode: Mode::default(),
             looks: Looks::default(),
             colours: Colours::default(),

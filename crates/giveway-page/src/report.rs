@@ -1,28 +1,41 @@
 //! The report of the plan on the board: what the page shows, prints and saves of it.
 
+mod questions;
+
 use std::rc::Rc;
 
 use giveway_model::Cost;
-use giveway_picture::report::{Known, Question, Report, Subject};
+use giveway_picture::report::{Known, LoneDelay, Report, Subject};
 use giveway_solve::Status;
+use giveway_solve::delays::{AgentDelay, words::row};
 use giveway_solve::words::{on_paper, reason};
 
 use crate::files::Saved;
 use crate::words::change::method;
-use crate::{Answer, State, ask, files, inspect, words};
+use crate::{Answer, State, files, inspect, words};
 
-/// The report of the plan; `None` where there is none of the scene as it is.
-pub fn report(state: &State) -> Option<Report> {
+/// The report of the plan, with the address of the page that has it in it; `None` where there is
+/// no plan of the scene as it is.
+pub fn report(state: &State, address: Option<String>) -> Option<Report> {
     with(state, |subject, answer| {
-        Report::of(subject, known(state, answer))
+        let known = Known {
+            link: address,
+            ..known(state, answer)
+        };
+        Report::of(subject, known)
     })
 }
 
+/// Whether what robots lose against their ways alone is still to come.
+pub fn is_coming(state: &State) -> bool {
+    state.is_adding_up()
+}
+
 /// The report as a page of HTML, in a language.
-pub fn report_file(state: &State, language: &str) -> Option<Saved> {
+pub fn report_file(state: &State, address: Option<String>, language: &str) -> Option<Saved> {
     Some(Saved {
         name: files::name_of(state, "report.html"),
-        text: report(state)?.page(language),
+        text: report(state, address)?.page(language),
     })
 }
 
@@ -38,7 +51,7 @@ pub fn plan_csv_file(state: &State) -> Option<Saved> {
 pub fn arrivals_csv_file(state: &State) -> Option<Saved> {
     Some(Saved {
         name: files::name_of(state, "arrivals.csv"),
-        text: report(state)?.csv(),
+        text: report(state, None)?.csv(),
     })
 }
 
@@ -73,24 +86,23 @@ fn known(state: &State, answer: &Answer) -> Known {
             .iter()
             .filter_map(|step| Some((step.at, method(step.method?).to_owned())))
             .collect(),
-        questions: question(state).into_iter().collect(),
+        questions: questions::asked(state, answer),
+        delays: delays(state),
+        link: None,
     }
 }
 
-/// The question that is answered on the page.
-fn question(state: &State) -> Option<Question> {
-    let card = ask::card(state)?;
-    let verdict = card.verdict?;
-    let reasons = card.witness.iter().flat_map(|(_, happenings)| happenings);
-    let reasons = reasons.map(|happening| happening.text.clone());
-    Some(Question {
-        asked: card.question,
-        verdict: verdict.title,
-        reasons: std::iter::once(verdict.sentence.replace('\n', " "))
-            .chain(reasons)
-            .filter(|reason| !reason.is_empty())
-            .collect(),
-    })
+/// What robots lose against their ways alone, as far as the ledger of the plan is known.
+fn delays(state: &State) -> Vec<LoneDelay> {
+    let ledger = state.document.ledger();
+    let told = ledger.and_then(|ledger| ledger.told.as_deref());
+    let lone = |told: &AgentDelay| LoneDelay {
+        robot: told.agent.clone(),
+        alone: told.alone,
+        delay: told.delay,
+        why: row(told),
+    };
+    told.map_or_else(Vec::new, |told| told.agents.iter().map(lone).collect())
 }
 
 #[cfg(test)]
@@ -101,7 +113,7 @@ mod tests {
     #[test]
     fn the_figures_are_those_of_the_plan() {
         let state = sample::solved();
-        let report = report(&state).unwrap();
+        let report = report(&state, None).unwrap();
         let answer = state.document.answer.as_ref().unwrap();
         let costs = answer.solved.costs.unwrap();
         assert_eq!(report.costs.len(), 5);
@@ -127,16 +139,28 @@ mod tests {
     #[test]
     fn without_a_plan_there_is_no_report() {
         let state = State::new(sample::draft());
-        assert_eq!(report(&state), None);
+        assert_eq!(report(&state, None), None);
         assert_eq!(plan_csv_file(&state), None);
-        assert_eq!(report_file(&state, "en"), None);
+        assert_eq!(report_file(&state, None, "en"), None);
+    }
+
+    #[test]
+    fn a_link_is_printed_unless_it_is_long() {
+        let state = sample::solved();
+        let link = |length: usize| {
+            let address = format!("https://example.org/#{}", "a".repeat(length));
+            let html = report(&state, Some(address.clone())).unwrap().html();
+            html.matches(&address).count()
+        };
+        assert_eq!(link(100), 2, "its address and its text");
+        assert_eq!(link(2000), 0);
     }
 
     #[test]
     fn files_have_the_name_of_the_scene() {
         let state = sample::solved();
         let names = [
-            report_file(&state, "en").unwrap().name,
+            report_file(&state, None, "en").unwrap().name,
             plan_csv_file(&state).unwrap().name,
             arrivals_csv_file(&state).unwrap().name,
         ];

@@ -4,12 +4,14 @@
 //! that is shown ([`giveway_model::question::fits`]).
 
 mod agent;
+mod asked;
 mod card;
 mod cell;
 mod later;
 mod plan;
 mod signs;
 
+pub(crate) use asked::{is_answered, remember};
 pub(crate) use signs::other_causes;
 
 pub use card::{

@@ -86,7 +86,7 @@ impl Method {
     /// Its name.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Proof => tr!("Proof"),
+            Self::Proof => tr!("a method" => "Bounds"),
             Self::Tree => tr!("Conflict tree"),
             Self::Orders => tr!("One by one"),
             Self::Pibt => "PIBT",
@@ -97,7 +97,7 @@ impl Method {
     /// The entry of the menu that opens it.
     pub fn entry(self) -> &'static str {
         match self {
-            Self::Proof => tr!("How it was proved: proof"),
+            Self::Proof => tr!("How it was proved: bounds"),
             Self::Tree => tr!("How it was proved: conflict tree"),
             Self::Orders => tr!("How it was proved: one by one"),
             Self::Pibt => tr!("How it was found: PIBT"),

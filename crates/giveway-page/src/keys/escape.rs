@@ -88,6 +88,8 @@ pub(super) fn escape(state: &State) -> Option<Action> {
     } else if state.shows_order() {
         Some(Action::Order(if state.view.order.late.is_some() {
             OrderAction::Late(false)
+        } else if state.view.order.is_whole {
+            OrderAction::Links(false)
         } else {
             OrderAction::Show(false)
         }))

@@ -13,7 +13,7 @@ pub struct Row {
 }
 
 /// The help: groups of rows, each with a title.
-pub const HELP: [(Later, &[Row]); 6] = [
+pub const HELP: [(Later, &[Row]); 7] = [
     (
         tr_later!("Solving"),
         &[
@@ -101,6 +101,19 @@ pub const HELP: [(Later, &[Row]); 6] = [
             row(&["M"], tr_later!("What all best plans share")),
             row(&["P"], tr_later!("Present: the board full screen")),
             row(&["?"], tr_later!("This list")),
+        ],
+    ),
+    (
+        tr_later!("The tab Order: who passes a cell after whom"),
+        &[
+            row(
+                &["\u{2190}", "\u{2191}", "\u{2192}", "\u{2193}"],
+                tr_later!("Choose the cell of the order"),
+            ),
+            row(
+                &["Escape"],
+                tr_later!("Leave the late robot, the links, the order"),
+            ),
         ],
     ),
     (

@@ -26,6 +26,8 @@ pub enum LedgerAction {
     Turn(bool),
     /// Lights a robot or a place up, or nothing.
     Light(Option<LedgerLit>),
+    /// Adds up what is not known, without showing it: a report tells it.
+    AddUp,
 }
 
 /// What is lit up: only its cells stay on the heat map.
@@ -46,7 +48,12 @@ pub(crate) struct Ledger {
     pub(crate) request: Rc<DelaysRequest>,
     /// What is known.
     pub(crate) told: Option<Rc<DelaysAnswer>>,
+    /// Whether it was asked for a report, in little time and without a proof of its own.
+    pub(crate) is_of_report: bool,
 }
+
+/// The most seconds that a report is kept waiting.
+const MOST_SECONDS: u8 = 5;
 
 /// How the ledger is shown. It is shown where it is of the plan on the board.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,6 +81,27 @@ impl Ledger {
             about: Rc::clone(answer),
             request,
             told: None,
+            is_of_report: false,
+        })
+    }
+
+    /// A request for a report.
+    pub(crate) fn of_report(answer: &Rc<Answer>) -> Option<Self> {
+        let limits = Limits {
+            seconds: Some(f64::from(MOST_SECONDS)),
+            ..Limits::default()
+        };
+        let mut begun = Self::about(answer, limits)?;
+        Rc::make_mut(&mut begun.request).ledger_only = true;
+        begun.is_of_report = true;
+        Some(begun)
+    }
+
+    /// Whether there is nothing more to be asked.
+    pub(crate) fn is_whole(&self) -> bool {
+        let told = self.told.as_deref();
+        told.is_some_and(|told| {
+            !self.is_of_report || (is_proved(&self.about) && told.reason.is_none())
         })
     }
 

@@ -8,6 +8,7 @@ use giveway_solve::order::OrderAnswer;
 use super::crossing::{Pass, between, busiest, index, passes};
 use super::lanes::out;
 use super::late::{LateCard, card};
+use super::links::{Links, links};
 use super::{OrderExport, OrderKnown};
 use crate::State;
 use crate::words::at;
@@ -28,6 +29,10 @@ pub struct Column {
     pub rows: Vec<PassRow>,
     /// How many links there are in all.
     pub links: Option<String>,
+    /// The button that shows all of them; nothing where there are none.
+    pub all: Option<String>,
+    /// All of them as a table, where they are shown.
+    pub table: Option<Links>,
     /// How many of them have no slack, and what that means.
     pub tight: Option<String>,
     /// The button that adds the rule `gap`.
@@ -83,6 +88,8 @@ pub fn column(state: &State) -> Option<Column> {
         pending: None,
         rows: Vec::new(),
         links: None,
+        all: None,
+        table: None,
         tight: None,
         gap: None,
         rotations: Vec::new(),
@@ -108,6 +115,9 @@ fn fill(column: &mut Column, state: &State, known: &OrderKnown, told: &OrderAnsw
     let is_asked = column.late.as_ref().is_some_and(|it| it.title.is_none());
     column.pending = (is_asked && state.is_ordering()).then(|| tr!("Finding who is pushed"));
     column.links = Some(words::links(order));
+    let count = order.links.len() as u32;
+    column.all = (count > 0).then(|| tr!("Show {n} link" | "Show all {n} links" % count));
+    column.table = links(state, order);
     column.tight = words::without_slack(order);
     column.gap = gap(state, order).map(|steps| tr!("Add the rule \"gap\" {steps}", steps));
     let rotations = order.rotations.iter().take(MOST_TOLD);

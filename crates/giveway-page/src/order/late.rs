@@ -81,6 +81,9 @@ pub struct LateCard {
     pub sentence: String,
     /// What the late plan breaks, a sentence each.
     pub broken: Vec<String>,
+    /// The button that looks for new plans from the lateness on; nothing before what follows is
+    /// known, and where what is at that time is settled.
+    pub replan: Option<String>,
     /// When each arrives; the last row is that of the last arrival.
     pub arrivals: Vec<ArrivalRow>,
 }
@@ -123,12 +126,30 @@ pub(super) fn card(state: &State) -> Option<LateCard> {
         title: None,
         sentence: String::new(),
         broken: Vec::new(),
+        replan: None,
         arrivals: Vec::new(),
     };
     if let Some(late) = outcome(state) {
         fill(&mut card, state, &late.outcome);
+        card.replan = begins(state).map(|time| tr!("Find new plans from {time}", time));
     }
     Some(card)
+}
+
+/// When the lateness begins in the plan: the robot would begin its move to the cell then. `None`
+/// where what is at that time is settled.
+pub(crate) fn begins(state: &State) -> Option<u32> {
+    let (order, said) = (state.order()?, state.view.order.late.as_ref()?);
+    let visit = order.agent(&said.agent)?.visits.get(said.visit)?;
+    let comes = visit.comes.unwrap_or(visit.arrives);
+    // The order may begin a move later than the plan.
+    let mut later = order.later.iter();
+    let later = later.find(|shift| {
+        shift.agent == said.agent && shift.cell == visit.cell && shift.begins == comes
+    });
+    let time = later.map_or(comes, |shift| shift.planned);
+    let settled = state.document.changed_last();
+    settled.is_none_or(|last| time > last).then_some(time)
 }
 
 /// `(4, 1)`, and for a later visit of it which one.

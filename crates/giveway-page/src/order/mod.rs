@@ -7,6 +7,7 @@ mod export;
 mod known;
 mod lanes;
 mod late;
+mod links;
 mod strip;
 
 use std::rc::Rc;
@@ -22,12 +23,13 @@ pub(crate) use known::OrderKnown;
 pub use lanes::{LaneLink, LaneOrder, Stay, fate, lane_order, lanes};
 pub use late::{ArrivalRow, LateCard, MOST_LATE};
 pub(crate) use late::{LateView, status};
+pub use links::{LinkRow, Links};
 pub use strip::{Strip, StripRobot, legend, notes, strip};
 
 pub(crate) use column::gap;
 pub(crate) use crossing::visits_at;
 pub(crate) use export::written;
-pub(crate) use late::first as first_late;
+pub(crate) use late::{begins as late_begins, first as first_late};
 
 /// What a person does with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +46,10 @@ pub enum OrderAction {
     Steps(u32),
     /// The visit that it comes late to, by its number from 0.
     To(usize),
+    /// Changes the world at the time of the lateness, with it as a breakdown.
+    Replan,
+    /// Shows all links as a table, or leaves that.
+    Links(bool),
     /// Adds the rule `gap`, under which no link is without slack.
     AddGap,
     /// Saves the order as a file.
@@ -58,6 +64,8 @@ pub struct OrderView {
     pub(crate) cell: Option<Cell>,
     /// The lateness that is asked about.
     pub(crate) late: Option<LateView>,
+    /// Whether all links are shown as a table.
+    pub(crate) is_whole: bool,
     /// The format that was saved last.
     pub(crate) export: OrderExport,
 }

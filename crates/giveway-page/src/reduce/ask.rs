@@ -162,6 +162,7 @@ fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
 pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
     change(state, |asking| asking.learn(answer));
     let before = state.view.found.take();
+    remember(state);
     let asking = state.document.mode.asking();
     state.view.found = asking.and_then(|asking| asking.kept(before));
     let asking = asking.filter(|it| *it.question() == Question::Unsolvable && it.can_be_repaired());
@@ -169,6 +170,15 @@ pub(super) fn learn(state: &mut State, answer: ExplainAnswer) {
     if let Some(core) = core {
         let draft = Rc::clone(&state.document.draft);
         state.view.rules.clash = Some(Rc::new(Clash { draft, core }));
+    }
+}
+
+/// Keeps the question with its answer for the report.
+#[inline(never)]
+fn remember(state: &mut State) {
+    let asking = state.document.mode.asking().cloned();
+    if let Some(asking) = asking.filter(|asking| crate::ask::is_answered(asking)) {
+        crate::ask::remember(Rc::make_mut(&mut state.document.asked), &asking);
     }
 }
 

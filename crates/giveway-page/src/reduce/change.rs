@@ -23,7 +23,12 @@ const BREAKDOWN: u32 = 10;
 pub(super) fn change(state: &mut State, action: ChangeAction) {
     match action {
         ChangeAction::Begin => begin(state),
-        ChangeAction::BreakDown(agent) => break_down(state, agent),
+        ChangeAction::BreakDown(agent) => {
+            let name = state.world().agents().get(agent);
+            if let Some(name) = name.map(|own| own.name.clone()) {
+                break_down(state, &name, BREAKDOWN);
+            }
+        }
         ChangeAction::Fill(index, filled) => fill(state, index, filled),
         ChangeAction::Discard => discard(state),
         ChangeAction::TakeBack(index) => take_back(state, index),
@@ -63,13 +68,8 @@ fn begin(state: &mut State) {
     enter(state, Activity::Changing(Rc::new(changing)));
 }
 
-/// An agent breaks down at the time shown.
-fn break_down(state: &mut State, agent: usize) {
-    let name = state
-        .world()
-        .agents()
-        .get(agent)
-        .map(|own| own.name.clone());
+/// An agent breaks down at the time shown, for so many steps.
+pub(super) fn break_down(state: &mut State, name: &str, steps: u32) {
     if state.document.mode.changing().is_none() {
         begin(state);
     }
@@ -78,11 +78,11 @@ fn break_down(state: &mut State, agent: usize) {
     };
     // The world that changes may have other agents.
     let mut agents = changing.draft().agents().iter();
-    let Some(agent) = agents.position(|own| Some(&own.name) == name.as_ref()) else {
+    let Some(agent) = agents.position(|own| own.name == name) else {
         return;
     };
     super::board::select(state, crate::Selection::Agent(agent));
-    if let Err(notice) = list(state, &changing, &Edit::Delay(agent, BREAKDOWN)) {
+    if let Err(notice) = list(state, &changing, &Edit::Delay(agent, steps)) {
         state.view.notice = Some(notice);
     }
 }

@@ -22,6 +22,7 @@ pub(super) fn ledger(state: &mut State, action: LedgerAction) {
             state.view.ledger.lit = None;
         }
         LedgerAction::Light(lit) => state.view.ledger.lit = lit,
+        LedgerAction::AddUp => add_up(state),
     }
 }
 
@@ -48,14 +49,30 @@ fn show(state: &mut State) {
     };
     settle(state);
     let known = state.document.ledger();
-    if known.is_some_and(|known| known.told.is_some()) || state.is_adding_up() {
+    let is_coming = |known: &Rc<Ledger>| state.is_adding_up() && !known.is_of_report;
+    if known.is_some_and(|known| known.is_whole() || is_coming(known)) {
         return;
     }
     let limits = Limits {
         seconds: Some(f64::from(state.settings.seconds)),
         ..Limits::default()
     };
-    if let Some(begun) = Ledger::about(&answer, limits) {
+    start(state, Ledger::about(&answer, limits));
+}
+
+/// Adds up for a report, where nothing else is being done.
+fn add_up(state: &mut State) {
+    let known = state.document.ledger();
+    let is_known = known.is_some_and(|known| known.told.is_some());
+    let is_free = state.work.task().is_none() && state.document.mode.activity == Activity::Editing;
+    if let (true, false, Some(answer)) = (is_free, is_known, state.document.fresh_answer()) {
+        let begun = Ledger::of_report(answer);
+        start(state, begun);
+    }
+}
+
+fn start(state: &mut State, begun: Option<Ledger>) {
+    if let Some(begun) = begun {
         let task = Task::Delays(Rc::clone(&begun.request));
         put(state, begun);
         state.work.start(task);

@@ -8,10 +8,11 @@ use giveway_order::Lateness;
 use giveway_solve::order::{OrderAnswer, OrderFormat, OrderRequest};
 
 use super::document::{amend, edit, keep_to_plan, settle as settle_document};
-use super::{ask, inside};
+use super::{ask, change, inside};
 use crate::inside::InsideAction;
 use crate::order::{
-    MOST_LATE, OrderAction, OrderExport, OrderKnown, first_late, gap, visits_at, written,
+    MOST_LATE, OrderAction, OrderExport, OrderKnown, first_late, gap, late_begins, visits_at,
+    written,
 };
 use crate::{Action, BoardAction, Document, Edit, RuleEdit, Selection, State, Tab, Task, Tool};
 
@@ -77,6 +78,8 @@ pub(super) fn order(state: &mut State, action: OrderAction) {
         }
         OrderAction::Steps(steps) => say(state, |late| late.steps = steps.clamp(1, MOST_LATE)),
         OrderAction::To(visit) => say(state, |late| late.visit = visit),
+        OrderAction::Replan => replan(state),
+        OrderAction::Links(on) => state.view.order.is_whole = on,
         OrderAction::AddGap => add_gap(state),
         OrderAction::Save(export) => save(state, export),
     }
@@ -104,6 +107,7 @@ fn show(state: &mut State) {
     view.tool = Tool::Select;
     view.tab = Tab::Inspector;
     view.order.is_open = true;
+    view.order.is_whole = false;
     view.order.late = None;
     settle_document(state);
     let known = state.document.order();
@@ -125,6 +129,16 @@ fn hide(state: &mut State) {
     state.view.order.is_open = false;
     state.view.order.late = None;
     settle_document(state);
+}
+
+/// The lateness becomes a breakdown, at the time at which it begins.
+fn replan(state: &mut State) {
+    let late = state.view.order.late.clone();
+    if let (Some(late), Some(at)) = (late, late_begins(state)) {
+        hide(state);
+        state.view.playback.stop_at(at);
+        change::break_down(state, &late.agent, late.steps);
+    }
 }
 
 /// A robot's first visit of the cell that is shown; its first move where it does not pass there.

@@ -15,6 +15,7 @@ mod order;
 mod picture;
 mod planners;
 mod present;
+mod report;
 mod rules;
 mod sizing;
 mod soak;

@@ -30,8 +30,9 @@ impl Task {
             Self::Price(draft, request) => is_of(draft, request.within, document),
             Self::Delays(request) => {
                 let ledger = document.ledger();
+                // A report tells an open question, too.
                 ledger.is_some_and(|ledger| Rc::ptr_eq(&ledger.request, request))
-                    && document.mode.is_editing()
+                    && document.mode.activity == Activity::Editing
             }
             Self::Order(request) => {
                 let order = document.order();

@@ -1,12 +1,13 @@
 //! A robot is late: who is pushed, what that breaks, what cannot be begun meanwhile.
 
+use giveway_model::change::What;
 use giveway_model::{Agent, Battery, Cell, Scene};
 use giveway_order::Outcome;
 
 use super::{OPEN, act, answered, asked_late, who_is_at};
 use crate::order::{OrderAction, column, lane_order, legend};
 use crate::reduce::tests::after;
-use crate::{Action, BoardAction, Draft, Selection, SolveAction, State, words};
+use crate::{Action, BoardAction, ChangeAction, Draft, Selection, SolveAction, State, words};
 
 fn outcome(state: &State) -> &Outcome {
     &state.order_known().unwrap().late.as_ref().unwrap().outcome
@@ -126,6 +127,74 @@ fn a_battery_that_does_not_bear_the_lateness_is_told() {
     let broken = column(&two).unwrap().late.unwrap().broken;
     assert_eq!(broken.len(), 1, "{broken:?}");
     assert!(broken[0].contains("A1"), "{broken:?}");
+}
+
+#[test]
+fn new_plans_are_looked_for_from_the_lateness_on() {
+    // It is late at its start, or to a later cell of its way.
+    for visit in [0, 2] {
+        let state = act(&asked_late(), &[OrderAction::To(visit)]);
+        let known = !state.is_ordering();
+        replans(&if known { state } else { answered(&state) });
+    }
+}
+
+fn replans(state: &State) {
+    let late = outcome(state).late[0].clone();
+    let visits = &state.order().unwrap().agent(&late.agent).unwrap().visits;
+    let mut visits = visits.iter().filter(|it| it.cell == late.cell);
+    let visit = visits.nth(late.visit as usize - 1).unwrap();
+    let at = visit.comes.unwrap_or(visit.arrives);
+    let card = column(state).unwrap().late.unwrap();
+    assert_eq!(card.replan, Some(format!("Find new plans from {at}")));
+    let changed = act(state, &[OrderAction::Replan]);
+    assert!(!changed.shows_order());
+    assert_eq!(changed.view.playback.time, at);
+    let changing = changed.document.mode.changing().unwrap();
+    let delay = What::DelayAgent {
+        agent: late.agent.clone(),
+        steps: late.steps,
+    };
+    assert_eq!((changing.at, &changing.list), (at, &vec![delay]));
+    // The robot comes as late as was said, in every plan that is found.
+    let found = answered(&after(&changed, [Action::Change(ChangeAction::Adapt)]));
+    let comparing = found.document.mode.comparing().unwrap();
+    let plans = comparing.tried.iter().filter_map(|it| it.answer.as_ref());
+    assert!(plans.clone().count() > 0);
+    for answer in plans {
+        let path = answer.plan().unwrap().path(&late.agent);
+        let held = &path[at as usize..=(at + late.steps) as usize];
+        assert!(held.iter().all(|cell| *cell == held[0]), "{held:?}");
+    }
+}
+
+#[test]
+fn what_is_settled_is_not_planned_anew() {
+    let adopted = crate::tests::adopted();
+    let last = adopted.document.changed_last().unwrap();
+    let state = answered(&act(&adopted, &[OPEN]));
+    let late = answered(&act(&state, &[OrderAction::Late(true)]));
+    let count = late.order().unwrap().agents.len();
+    for robot in 0..count {
+        let late = answered(&act(
+            &late,
+            &[OrderAction::Robot(robot), OrderAction::Steps(2)],
+        ));
+        let cells = column(&late).unwrap().late.unwrap().cells.len();
+        for visit in 0..cells {
+            let late = act(&late, &[OrderAction::To(visit)]);
+            let late = if late.is_ordering() {
+                answered(&late)
+            } else {
+                late
+            };
+            let changed = act(&late, &[OrderAction::Replan]);
+            let at = changed.document.mode.changing().map(|it| it.at);
+            assert!(at.is_none_or(|at| at > last), "{at:?}");
+            let replan = column(&late).unwrap().late.unwrap().replan;
+            assert_eq!(replan.is_some(), at.is_some());
+        }
+    }
 }
 
 #[test]

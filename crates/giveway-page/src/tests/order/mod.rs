@@ -1,6 +1,7 @@
 //! The order of a plan with the solver's own answers: opened, cell by cell, saved, left.
 
 mod late;
+mod links;
 
 use giveway_model::{Agent, Cell, Scene};
 use giveway_solve::{Response, SilentHost, serve};

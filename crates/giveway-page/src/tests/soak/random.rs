@@ -227,10 +227,11 @@ impl Session {
 
     fn ledger(&mut self) -> LedgerAction {
         let n = self.rng.usize(0..4);
-        match self.rng.u8(0..6) {
+        match self.rng.u8(0..7) {
             0..3 => LedgerAction::Show(n > 0),
             3 => LedgerAction::Turn(n > 1),
             4 => LedgerAction::Light(Some(LedgerLit::Place(n))),
+            5 => LedgerAction::AddUp,
             _ => LedgerAction::Light((n > 0).then_some(LedgerLit::Robot(n))),
         }
     }
