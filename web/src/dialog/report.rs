@@ -6,7 +6,7 @@ use giveway_page::report;
 use yew::prelude::*;
 
 use super::frame::Frame;
-use crate::{Shown, files, icon, language};
+use crate::{Shown, files, icon, keep, language};
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct ReportProps {
@@ -32,17 +32,20 @@ pub(crate) fn Report(props: &ReportProps) -> Html {
         // A browser may print nothing; then nothing happens.
         let _ = gloo::utils::window().print();
     };
+    // Until then it would lack who makes whom late.
+    let disabled = report::is_coming(state);
     let button = |icon: &'static str, name: &'static str, onclick: Callback<MouseEvent>| {
-        html! { <button type="button" class="btn outline" {onclick}>{ icon::show(icon) }{ name }</button> }
+        html! { <button type="button" class="btn outline" {disabled} {onclick}>{ icon::show(icon) }{ name }</button> }
     };
     html! {
         <Frame title={tr!("Report")} on_close={on_close.clone()}>
             <div class="report-tools" role="toolbar" aria-label={tr!("Report")}>
                 { button("file", tr!("Print, or save as PDF"), Callback::from(print)) }
-                { button("save", tr!("Save the report (HTML)"), Callback::from(save(|state| report::report_file(state, language::spoken())))) }
+                { button("save", tr!("Save the report (HTML)"), Callback::from(save(|state| report::report_file(state, Some(keep::address(state)), language::spoken())))) }
                 { button("save", tr!("Save the plan (CSV)"), Callback::from(save(|state| report::plan_csv_file(state)))) }
                 { button("save", tr!("Save the arrivals (CSV)"), Callback::from(save(|state| report::arrivals_csv_file(state)))) }
             </div>
+            <p class="report-coming" role="status">{ disabled.then(|| tr!("Adding up who costs whom.")) }</p>
             { sheet(state) }
         </Frame>
     }
@@ -50,6 +53,6 @@ pub(crate) fn Report(props: &ReportProps) -> Html {
 
 /// The report itself. Names in it cannot be markup: `Report::html` escapes them.
 pub(crate) fn sheet(state: &Shown) -> Html {
-    let html = report::report(state).map(|report| report.html());
+    let html = report::report(state, Some(keep::address(state))).map(|report| report.html());
     Html::from_html_unchecked(html.unwrap_or_default().into())
 }

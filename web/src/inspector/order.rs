@@ -1,5 +1,7 @@
 //! The order at a cell: who passes it, what follows if a robot is late, files.
 
+mod links;
+
 use giveway_model::tr;
 use giveway_page::order::{
     ArrivalRow, Column, ExportRow, LateCard, MOST_LATE, OrderAction, PassRow,
@@ -11,6 +13,8 @@ use yew::prelude::*;
 use crate::field::{Slot, SlotProps};
 use crate::part::part;
 use crate::{glyph, icon};
+
+use links::table;
 
 fn act(send: &Callback<Action>, action: OrderAction) -> Callback<MouseEvent> {
     send.reform(move |_| Action::Order(action))
@@ -38,6 +42,9 @@ pub(super) fn begin(state: &State, send: &Callback<Action>) -> Html {
 pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
     if let Some(late) = &column.late {
         return late_card(column, late, send);
+    }
+    if let Some(links) = &column.table {
+        return table(&column.title, links, send);
     }
     html! {
         <>
@@ -76,8 +83,12 @@ pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
 pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
     let leaves = match column.late {
         Some(_) => OrderAction::Late(false),
+        None if column.table.is_some() => OrderAction::Links(false),
         None => OrderAction::Show(false),
     };
+    let replan = column.late.as_ref().and_then(|late| late.replan.clone());
+    let is_broken = column.late.as_ref().is_some_and(|it| !it.broken.is_empty());
+    let class = if is_broken { "primary" } else { "outline" };
     let export = column.export;
     html! {
         <footer class="foot">
@@ -85,6 +96,9 @@ pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
                 <button type="button" class="btn primary" onclick={act(send, OrderAction::Save(export))}>
                     { icon::show("save") }{ tr!("Export: {file}", file = export.name()) }
                 </button>
+            }
+            if let Some(name) = replan {
+                <button type="button" class={classes!("btn", class)} onclick={act(send, OrderAction::Replan)}>{ icon::show("change") }{ name }</button>
             }
             <button type="button" class="btn outline" onclick={act(send, leaves)}>{ tr!("Done") }</button>
         </footer>
@@ -133,6 +147,9 @@ fn whole(column: &Column, send: &Callback<Action>) -> Html {
         <section>
             <h3>{ tr!("The whole plan") }</h3>
             <p>{ column.links.clone() }</p>
+            if let Some(all) = &column.all {
+                <button type="button" class="btn outline" onclick={act(send, OrderAction::Links(true))}>{ icon::show("order") }{ all.clone() }</button>
+            }
             if let Some(tight) = &column.tight { <p>{ tight.clone() }</p> }
             if let Some(gap) = &column.gap {
                 <button type="button" class="btn outline" onclick={act(send, OrderAction::AddGap)}>{ icon::show("gap") }{ gap.clone() }</button>

@@ -2,6 +2,7 @@
 
 use giveway_model::tr;
 use giveway_page::intake::protocol::PictureKind;
+use giveway_page::ledger::LedgerAction;
 use giveway_page::{Action, FileAction, IntakeAction, Save, files};
 use yew::prelude::*;
 
@@ -42,7 +43,13 @@ pub(super) fn save_items(state: &Shown, send: &Callback<Action>, show: &Callback
     let has_changes = answer.is_some_and(|answer| answer.course.is_some());
     let has_plan = answer.and_then(|answer| answer.plan()).is_some() || state.audit().is_some();
     let has_report = answer.is_some_and(|answer| answer.plan().is_some());
-    let report = show.reform(|_: MouseEvent| Panel::Report);
+    let report = {
+        let (send, show) = (send.clone(), show.clone());
+        Callback::from(move |_: MouseEvent| {
+            send.emit(Action::Ledger(LedgerAction::AddUp));
+            show.emit(Panel::Report);
+        })
+    };
     let scene = press(|state, _| crate::files::save(&files::scene_file(state)));
     let plan = press(|state, _| save_if(files::plan_file(state)));
     let has_robots = !state.document.draft.agents().is_empty();
