@@ -163,7 +163,7 @@ describe("the geometry", () => {
     await playground.notice.getByRole("button", { name: "Dismiss" }).waitFor();
   });
   state("a step of the proof", async (playground) => {
-    await look(playground, PILLARS, "Proof");
+    await look(playground, PILLARS, "Bounds");
     await playground.page.getByRole("button", { name: /cannot both be on time/ }).first().click();
     await playground.inspector.getByText(/^To be on time/).first().waitFor();
   }, { tabs: ["Step", "How it was proved"] });
@@ -200,7 +200,7 @@ describe("the geometry", () => {
     await playground.inspector.getByText(/^This plan|^In it robots are elsewhere/).waitFor();
   });
   german("ways to go on", compared);
-  german("a step of the proof", (playground) => look(playground, PILLARS, "Proof"), ["Schritt", "Beweisgang"]);
+  german("a step of the proof", (playground) => look(playground, PILLARS, "Bounds"), ["Schritt", "Beweisgang"]);
   state("settings in German", async (playground) => {
     await opening(playground);
     await choose(playground, "Deutsch");

@@ -18,7 +18,7 @@ describe("how it was proved", () => {
 
   for (const { theme, screens } of LOOKS) {
     flow(`is stepped through (${theme})`, async (playground) => {
-      await look(playground, PILLARS, "Proof");
+      await look(playground, PILLARS, "Bounds");
       const { page, inspector } = playground;
       const isWhole = (steps) => /No plan is better/.test(steps.at(-1));
       const all = await eventually("all steps", () => stepsOf(playground), isWhole);
@@ -86,8 +86,10 @@ describe("how it was proved", () => {
     await playground.key("ArrowRight");
     assert.equal(await slider.getAttribute("aria-valuenow"), "2");
 
-    // The methods are tabs, too.
-    await page.getByRole("tab", { name: "Proof", exact: true }).focus();
+    // The methods are tabs, too, and no two tabs have one name.
+    const names = await page.getByRole("tab").allTextContents();
+    assert.deepEqual(names.filter((name, at) => names.indexOf(name) !== at), []);
+    await page.getByRole("tab", { name: "Bounds", exact: true }).focus();
     await playground.key("ArrowRight");
     const tree = page.getByRole("tree", { name: "Conflict tree" });
     await tree.waitFor();
@@ -107,7 +109,7 @@ describe("how it was proved", () => {
     await playground.says(/^No plan yet/);
     await playground.press("Solve");
     await playground.button("Cancel").waitFor();
-    await openOn(playground, "Proof");
+    await openOn(playground, "Bounds");
     const { page } = playground;
     await eventually("steps to come", () => count(playground), (n) => n > 3);
     const image = page.getByRole("img", { name: /proved bound and best plan by step/ });
@@ -129,7 +131,7 @@ describe("how it was proved", () => {
   }, { screens: BOTH });
 
   flow("saves its record", async (playground) => {
-    await look(playground, PILLARS, "Proof");
+    await look(playground, PILLARS, "Bounds");
     const download = playground.page.waitForEvent("download");
     await playground.press("Save this record");
     const saved = await download;
@@ -199,7 +201,7 @@ describe("how it was proved", () => {
   }
 
   flow("is gone after an edit, and says when nothing is known", async (playground) => {
-    await look(playground, PILLARS, "Proof");
+    await look(playground, PILLARS, "Bounds");
     await playground.pick("Obstacle");
     await playground.cell(0, 3).click();
     await playground.page.getByText("Nothing is proved yet").waitFor();

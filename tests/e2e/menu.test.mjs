@@ -28,7 +28,7 @@ describe("menus", () => {
       await open();
       const names = await entries.allInnerTexts();
       assert.ok(names.length >= (screen === "phone" ? 18 : 8), names.join(", "));
-      // A German noun stays one within a name: "Beweisgang: Beweis".
+      // A German noun stays one within a name: "Beweisgang: Schranken".
       assert.deepEqual(names.filter((name) => tag === "de" && /^Beweisgang: [a-zäöü]/.test(name)), []);
       for (const [index, name] of names.entries()) {
         if (NEEDS_LEAVE.test(name)) {

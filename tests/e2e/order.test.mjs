@@ -36,6 +36,14 @@ describe("the order of a plan", () => {
     await playground.press("Done");
     await table.waitFor();
 
+    await playground.inspector.getByRole("button", { name: /^Show( all)? \d+ links?$/ }).click();
+    const links = playground.inspector.getByRole("table", { name: "All links" });
+    await links.waitFor();
+    assert.ok(await links.locator("tbody tr").count() >= names.length - 1);
+    await audit(playground, "all links");
+    await playground.press("Done");
+    await table.waitFor();
+
     const download = page.waitForEvent("download");
     await playground.inspector.getByRole("button", { name: /^DOT/ }).click();
     const saved = await download;
@@ -46,6 +54,17 @@ describe("the order of a plan", () => {
     await playground.press("Done");
     await page.locator(".order-strip").waitFor({ state: "detached" });
   }, { screens: BOTH });
+
+  flow("goes on with new plans from a lateness", async (playground, { page }) => {
+    await playground.example("Who waits?");
+    await playground.says(/^Optimal: makespan 4, sum of costs 7/);
+    await page.getByRole("tab", { name: "Order", exact: true }).click();
+    await playground.inspector.getByRole("button", { name: /^What if a robot is late\?/ }).click();
+    await playground.says(/^A\d comes 3 steps late to/);
+    await playground.inspector.getByRole("button", { name: /^Find new plans from \d$/ }).click();
+    await page.locator(".order-strip").waitFor({ state: "detached" });
+    await playground.inspector.getByText(/breaks down at/).first().waitFor();
+  }, { screens: ["desktop"] });
 
   flow("follows the arrows on the board and is left with Escape", async (playground, { page }) => {
     await playground.example("Who waits?");
