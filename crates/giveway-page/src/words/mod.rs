@@ -71,6 +71,6 @@ pub fn unnested(text: &str) -> String {
 }
 
 /// A cell in a sentence: `(3, 1)`.
-pub(crate) fn at(cell: giveway_model::Cell) -> String {
+pub fn at(cell: giveway_model::Cell) -> String {
     cell.to_string()
 }

@@ -133,7 +133,10 @@ fn rules_have_prices() {
     let answer = data(&giveway_wasm::price(&object(&json!({ "scene": scene })), &NONE).unwrap());
     assert_eq!(answer["prices"][0]["price"], "costs");
     assert_eq!(answer["prices"][0]["exact"], true);
-    assert_eq!(answer["words"], "At most 1 robot in 'aisle': costs 2 steps of the makespan.");
+    assert_eq!(
+        answer["words"],
+        "At most 1 robot in 'aisle': costs 2 steps of the makespan."
+    );
     let rule = json!({ "kind": "arrive", "by": 5 });
     let question = json!({ "kind": "rule", "rule": rule });
     let request = json!({ "scene": scene, "question": question });
