@@ -72,7 +72,8 @@ mod tests {
             height: 700.0,
             cell_px: 50.0,
         };
-        let at = |x: f64, y: f64| all.line_at(((x + 34.0) / 2.0, (y + 34.0) / 2.0), (8, 6));
+        let px = |at: f64, from: f64| (at - from) * all.cell_px / CELL;
+        let at = |x: f64, y: f64| all.line_at((px(x, all.x), px(y, all.y)), (8, 6));
         assert_eq!(at(350.0, -18.0), Some((Axis::Columns, 3)));
         assert_eq!(
             at(310.0, -18.0),

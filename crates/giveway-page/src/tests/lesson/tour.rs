@@ -156,7 +156,10 @@ fn it_is_shown_step_by_step() {
                 both.solve();
                 let rows = crate::rules::list(&both.page).unwrap().rows;
                 let prices = rows.iter().map(|row| row.price.clone().map(|tag| tag.text));
-                assert_eq!(prices.collect::<Vec<_>>(), [Some("+1 step".to_owned())]);
+                assert_eq!(
+                    prices.collect::<Vec<_>>(),
+                    [Some("costs 1 step of the makespan".to_owned())]
+                );
             }
             Step::Select | Step::Close | Step::GoOn => {}
         }

@@ -7,7 +7,7 @@ use crate::board::{Cast, Kind, kept_free, legend, reasons, rule_shapes, rules_no
 use crate::reduce::tests::after;
 use crate::rules::{RuleAction, clash_times, in_clash_robots, list, short_way};
 use crate::tests::answered;
-use crate::{Action, AskAction, Draft, PlayAction, State, Tab, ViewAction};
+use crate::{Action, AskAction, Draft, PlayAction, SolveAction, State, Tab, ViewAction};
 
 /// The aisle is closed until 12, A1 has to arrive by 9: it has to pass the aisle, which takes it 10
 /// steps at least.
@@ -68,7 +68,7 @@ fn a_phone_has_a_tab_for_their_times() {
     let times = after(&asked, [Action::View(ViewAction::ShowTab(Tab::Timeline))]);
     assert_eq!(times.shown_tab(), Tab::Timeline);
     // While a search goes on its bounds stand there.
-    let searching = after(&times, [Action::Solve]);
+    let searching = after(&times, [Action::Solve(SolveAction::Solve)]);
     assert!(searching.awaited().is_some() && !searching.has_timeline());
 }
 
