@@ -5,6 +5,7 @@ use giveway_order::{Link, Order, words};
 
 use super::crossing::index;
 use crate::State;
+use crate::words::at;
 
 /// At most so many rows are shown; the file has all of them.
 const MOST_ROWS: usize = 300;
@@ -29,6 +30,8 @@ pub struct LinkRow {
     pub second: (Option<usize>, String),
     /// Where.
     pub cell: Cell,
+    /// The same in words.
+    pub at: String,
     /// When the first one begins to leave.
     pub leaves: u32,
     /// When the second one begins to come.
@@ -51,6 +54,7 @@ pub(super) fn links(state: &State, order: &Order) -> Option<Links> {
         first: (index(state, &link.first.agent), link.first.agent.clone()),
         second: (index(state, &link.second.agent), link.second.agent.clone()),
         cell: link.cell,
+        at: at(link.cell),
         leaves: link.first.time,
         comes: link.second.time,
         slack: link.slack,

@@ -1,8 +1,8 @@
 //! All links of a plan as a table: who is in which cell after whom, with how much slack.
 
 use giveway_model::tr;
+use giveway_page::Action;
 use giveway_page::order::{LinkRow, Links, OrderAction};
-use giveway_page::{Action, words};
 use yew::prelude::*;
 
 use super::{act, robot};
@@ -38,7 +38,7 @@ fn row(link: &LinkRow, send: &Callback<Action>) -> Html {
         <tr>
             <th scope="row">{ end(&link.first, link.leaves) }</th>
             <td>{ end(&link.second, link.comes) }</td>
-            <td><button type="button" class="link" onclick={act(send, OrderAction::At(link.cell))}>{ words::at(link.cell) }</button></td>
+            <td><button type="button" class="link" onclick={act(send, OrderAction::At(link.cell))}>{ link.at.clone() }</button></td>
             <td class={classes!(link.is_tight.then_some("tight"))}>{ link.slack }</td>
         </tr>
     }
