@@ -98,6 +98,6 @@ pub(super) fn caption(
         Some(words::values(objective, &answer.solved.costs?))
     });
     html! {
-        <figcaption><b>{ title.to_owned() }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
+        <figcaption><b title={title.to_owned()}>{ title.to_owned() }</b><span>{ claim.unwrap_or_default() }</span><em>{ costs }</em></figcaption>
     }
 }

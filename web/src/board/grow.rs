@@ -139,8 +139,8 @@ fn handle(
             };
             event.prevent_default();
             event.stop_propagation();
-            let to = (value + by * far).clamp(least, most);
-            send.emit(Action::Grow(GrowAction::Side(side, to)));
+            // Keys may be faster than what is drawn: each goes on from what the one before made.
+            send.emit(Action::Grow(GrowAction::Step(side, by * far)));
         }
     };
     let (name, told) = (format!("{side:?}").to_lowercase(), side.told(value));

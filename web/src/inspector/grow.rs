@@ -90,8 +90,7 @@ fn act(send: &Callback<Action>, action: GrowAction) -> Callback<()> {
 /// A number of rows or columns between minus and plus.
 fn stepper(side: Side, value: i32, send: &Callback<Action>) -> Html {
     let step = |by: i32, name: String, sign: &'static str| {
-        let onclick =
-            send.reform(move |_: MouseEvent| Action::Grow(GrowAction::Side(side, value + by)));
+        let onclick = send.reform(move |_: MouseEvent| Action::Grow(GrowAction::Step(side, by)));
         html! { <button type="button" class="btn ghost round" aria-label={name} {onclick}>{ icon::show(sign) }</button> }
     };
     let typed = {

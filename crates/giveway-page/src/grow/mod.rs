@@ -26,6 +26,8 @@ pub enum GrowAction {
     Open,
     /// So many rows or columns more at a side, or less.
     Side(Side, i32),
+    /// So many rows or columns more at a side than now, or less; as far as possible.
+    Step(Side, i32),
     /// A side is taken hold of.
     Hold,
     /// The side that is held is dragged, so many rows or columns more or less; as far as possible.

@@ -24,6 +24,13 @@ pub(super) fn grow(state: &mut State, action: GrowAction) {
                 }
             }
         }
+        GrowAction::Step(side, by) => {
+            if let Some(growing) = state.view.growing {
+                let (least, most) = state.side_limits(side);
+                let more = side.of(growing.sides()).saturating_add(by);
+                state.view.growing = Some(growing.with(side, more.min(most).max(least)));
+            }
+        }
         GrowAction::Hold => {
             if let Some(growing) = &mut state.view.growing {
                 growing.held = Some(growing.sides());

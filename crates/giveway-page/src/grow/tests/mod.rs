@@ -169,6 +169,20 @@ fn a_floor_keeps_a_row_and_a_column() {
 }
 
 #[test]
+fn steps_add_up_as_far_as_possible() {
+    let open = act(&floor(), &[GrowAction::Open]);
+    let step = |by| GrowAction::Step(Side::Right, by);
+    let stepped = act(&open, &[step(1), step(5), step(-1)]);
+    let set = act(&open, &[GrowAction::Side(Side::Right, 5)]);
+    assert_eq!(stepped.view.growing, set.view.growing);
+    assert_eq!(card(&act(&open, &[step(-99)])).unwrap().after, "1 \u{d7} 4");
+    assert_eq!(
+        card(&act(&open, &[step(i32::MAX)])).unwrap().after,
+        "2048 \u{d7} 4"
+    );
+}
+
+#[test]
 fn solving_keeps_it() {
     let open = act(
         &floor(),

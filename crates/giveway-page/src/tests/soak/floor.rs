@@ -65,6 +65,7 @@ impl Session {
         let steps = [
             GrowAction::Open,
             GrowAction::Side(side, more),
+            GrowAction::Step(side, more),
             GrowAction::Hold,
             GrowAction::Drag(side, -more),
             GrowAction::Release,
