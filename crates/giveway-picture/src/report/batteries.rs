@@ -20,6 +20,6 @@ pub(super) fn row(subject: &Subject<'_>, robot: &Robot) -> Option<BatteryRow> {
         initial: battery.initial,
         least,
         least_at: at.map(|(_, cell)| (cell, time)),
-        at_goal: robot.arrives.and_then(|_| on_way().last()),
+        at_goal: robot.arrives.and_then(|_| on_way().next_back()),
     })
 }

@@ -102,7 +102,11 @@ pub(super) fn let_pass(told: &ExplainAnswer) -> Vec<&String> {
         | Question::Waits { .. }
         | Question::Rule { .. }
         | Question::Unsolvable
-        | Question::Plan => told.here.iter().flat_map(|here| here.let_pass()).collect(),
+        | Question::Plan => told
+            .here
+            .iter()
+            .flat_map(giveway_solve::explain::Here::let_pass)
+            .collect(),
     }
 }
 
