@@ -10,7 +10,7 @@ type Function = fn(&JsValue) -> Result<JsValue, JsValue>;
 
 const NONE: JsValue = JsValue::UNDEFINED;
 
-const FUNCTIONS: [(&str, Function); 17] = [
+const FUNCTIONS: [(&str, Function); 19] = [
     ("solve", |request| giveway_wasm::solve(request, &NONE)),
     ("check", giveway_wasm::check),
     ("explain", |request| giveway_wasm::explain(request, &NONE)),
