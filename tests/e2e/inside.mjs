@@ -33,7 +33,7 @@ export async function look(playground, scene, method) {
     await page.getByRole("tab", { name: method, exact: true }).click();
   }
   const shown = {
-    Proof: page.getByRole("list", { name: "Steps" }),
+    Bounds: page.getByRole("list", { name: "Steps" }),
     "Conflict tree": page.getByRole("tree", { name: "Conflict tree" }),
     "One by one": page.getByRole("group", { name: "Lanes" }),
     PIBT: page.getByRole("group", { name: "Lanes" }),
