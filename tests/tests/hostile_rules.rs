@@ -32,8 +32,9 @@ use serde_json::{Value, json};
 
 /// The limit of each request, in seconds.
 const SECONDS: f64 = 0.5;
-/// How many seconds longer than its limit a request may take in the dev profile.
-const GRACE: f64 = 3.0;
+/// How many seconds longer than its limit a request may take in the dev profile, on a machine
+/// that is three times as slow at times: what does not end at all is found.
+const GRACE: f64 = 15.0;
 /// The largest number of a rule.
 const MOST: u32 = 1_000_000;
 /// The side of the usual map.
