@@ -21,7 +21,11 @@ async function start() {
   }
   // Not earlier: on a slow network the two would share it, and the page come later.
   const solver = nearlyRead(response.clone(), application.dataset.bytes).then(() => preload(named("solver")), () => undefined);
-  const [{ default: init, later }, module] = await Promise.all([import(application.href), compile(response)]);
+  const [{ default: init, prepare, later }, module] = await Promise.all([import(application.href), compile(response)]);
+  if (navigator.serviceWorker?.controller) {
+    // There may be no network, and what the page was left with may need all of it at once.
+    await prepare?.().catch(() => undefined);
+  }
   await init({ module_or_path: module });
   await solver;
   // What the first minute does not need; where it cannot be had, the page asks for it again once it needs it.

@@ -16,7 +16,8 @@ export function listOf(source, name) {
 
 /**
  * Bindings that load the later part: `later()` ahead of time, or the program itself as soon as it needs it. It then waits,
- * and the page with it: what a person did at that moment cannot be half done.
+ * and the page with it: what a person did at that moment cannot be half done. A request that waits is not answered by the
+ * page's keeper, though, so a page that may be without a network calls `prepare()` before it begins.
  * @param {string} bindings as wasm-bindgen wrote them
  * @param {string} path of the later part, from the bindings
  * @throws {Error} where they are not as expected
@@ -26,6 +27,7 @@ export function withLater(bindings, path) {
   return `${handed}
 const LATER = new URL("${path}", import.meta.url);
 let isWhole = false;
+let prepared;
 function join(module) {
   if (!isWhole) {
     new WebAssembly.Instance(module, { first: wasm });
@@ -33,6 +35,10 @@ function join(module) {
   }
 }
 function loadLater() {
+  if (prepared) {
+    join(prepared);
+    return;
+  }
   const request = new XMLHttpRequest();
   request.open("GET", LATER, false);
   request.overrideMimeType("text/plain; charset=x-user-defined");
@@ -46,10 +52,19 @@ function loadLater() {
   }
   join(new WebAssembly.Module(Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0))));
 }
+export async function prepare() {
+  const response = await fetch(LATER);
+  if (response.ok) {
+    prepared = await WebAssembly.compile(await response.arrayBuffer());
+  }
+}
 export async function later() {
-  const response = isWhole ? undefined : await fetch(LATER);
-  if (response?.ok) {
-    join(await WebAssembly.compile(await response.arrayBuffer()));
+  if (!isWhole && !prepared) {
+    await prepare();
+  }
+  if (prepared) {
+    join(prepared);
+    prepared = undefined;
   }
 }
 `;

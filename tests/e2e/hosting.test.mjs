@@ -9,6 +9,7 @@ import { after, before, describe, test } from "node:test";
 
 import { assertQuiet, launch, open } from "./browser.mjs";
 import { dist } from "./dist.mjs";
+import { HALL, LATE, own, plan } from "./elsewhere.mjs";
 import { Playground } from "./page.mjs";
 import { serve } from "./server.mjs";
 import { eventually } from "./wait.mjs";
@@ -55,6 +56,22 @@ describe("the built folder on a static host", () => {
     await playground.reload();
     assertQuiet(complaints);
     assert.equal(await fetched(page, await workerOf(page)), 200);
+  });
+
+  // A first visit does not need that, so its program is in the later part.
+  test("works without a network on what a person was in the middle of", async (t) => {
+    const { host, page, complaints } = await visit(t, browser);
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await playground.kept();
+    await playground.open(own("hall.json", HALL), plan("hall-plan.json", LATE));
+    await playground.shows("hall");
+    await playground.button("How good is this plan?").click();
+    await playground.says(/^This plan keeps every rule\./);
+    await host.close();
+    await playground.reload();
+    await playground.says(/^This plan keeps every rule\./);
+    assertQuiet(complaints);
   });
 
   test("shows a new version at the next visit, and leaves an open page its own", async (t) => {

@@ -37,6 +37,16 @@ describe("playing", () => {
     await playground.button("Pause").waitFor();
   }, CLOCK);
 
+  flow("takes a press at once where a press of another button has turned it", async (playground, { page }) => {
+    await playground.says(OPENING);
+    await playground.button("Pause").waitFor();
+    await playground.reaches("2 or later", (now) => now >= 2);
+    await playground.press("To start");
+    // Whether it rests is not waited for.
+    await page.locator(".playb").click({ force: true });
+    await playground.button("Pause").waitFor();
+  }, MOVING);
+
   flow("shows on the board what the plan says, at every time", async (playground) => {
     await playground.says(OPENING);
     await playground.pause();

@@ -144,7 +144,7 @@ fn robot(agent: Option<usize>, name: &str) -> Html {
 fn whole(column: &Column, send: &Callback<Action>) -> Html {
     let line = |text: &String| html! { <li>{ text.clone() }</li> };
     html! {
-        <section>
+        <section class="order-whole">
             <h3>{ tr!("The whole plan") }</h3>
             <p>{ column.links.clone() }</p>
             if let Some(all) = &column.all {

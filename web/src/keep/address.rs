@@ -62,6 +62,13 @@ pub(crate) fn address(state: &State) -> String {
     format!("{host}#{}", link::write(state))
 }
 
+/// The address of the page with its plan from the beginning: the same whenever a report is made.
+pub(crate) fn address_of_plan(state: &State) -> String {
+    let mut state = state.clone();
+    state.view.playback.stop_at(0);
+    address(&state)
+}
+
 /// The language that the address of the page names.
 pub(crate) fn linked_language() -> Option<String> {
     let query = gloo::utils::window().location().search().ok()?;

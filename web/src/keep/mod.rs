@@ -15,7 +15,9 @@ use gloo::events::EventListener;
 use yew::prelude::*;
 
 use crate::{Shown, broke};
-pub(crate) use address::{address, forget_linked_language, learn, lesson, linked_language};
+pub(crate) use address::{
+    address, address_of_plan, forget_linked_language, learn, lesson, linked_language,
+};
 pub(crate) use keeper::{Rescued, rescue};
 pub(crate) use lost::{download as download_lost, settle as settle_lost};
 pub(crate) use opening::opening;

@@ -20,7 +20,9 @@ Examples
   giveway sizing floor.json --robots 4..16/4
   giveway sizing depot.json --robots 4..44/4 --starts 1,1..1,22 --goals 38,1..38,22 --back \\
       --waypoints 2 --battery 80/60 --seconds 5 --csv
-  giveway sizing depot.json --robots 4..16/4 --beside depot-with-a-charger-more.json")]
+  giveway sizing depot.json --robots 4..16/4 --beside depot-with-a-charger-more.json
+  giveway sizing floor.json --robots 2..8 --starts 0,0..0,7 --goals 9,0..9,7 --save drawn.json
+  giveway solve drawn.json --agents 6")]
 pub(crate) struct Sizing {
     #[command(flatten)]
     pub(crate) source: Source,
@@ -61,6 +63,10 @@ pub(crate) struct Sizing {
     /// Write a table for spreadsheets
     #[arg(long, conflicts_with = "format")]
     pub(crate) csv: bool,
+    /// Write the floor with all robots that are drawn into a file: what `solve --agents N` finds
+    /// for it can be set beside the plan of N robots
+    #[arg(long, value_name = "FILE", requires = "starts")]
+    pub(crate) save: Option<PathBuf>,
 }
 
 /// Numbers of robots: `4..44/4`, `4..8` or `16`.

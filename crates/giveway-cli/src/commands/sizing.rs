@@ -1,6 +1,6 @@
 //! `giveway sizing`: how many robots a floor bears.
 
-use giveway_model::{Instance, Scene, fleet::Fleet};
+use giveway_model::{Instance, Scene, fleet::Fleet, format::native};
 use giveway_solve::sizing::{SizingRequest, csv};
 use giveway_solve::{Limits, Request, Response, serve};
 
@@ -11,7 +11,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input,
-    output::{self, Said, text},
+    output::{self, Said, files, text},
     progress::CommandHost,
 };
 
@@ -20,6 +20,9 @@ pub(crate) fn run(args: &Sizing, common: &Common, clock: Clock) -> Result<Exit, 
     let mut said = Said::default();
     let instance = input::instance(&args.source, None, common, &mut said)?;
     let scene = peopled(instance.to_scene(), args, &mut said)?;
+    if let Some(path) = &args.save {
+        files::write(path, native::write_scene(&scene).as_bytes())?;
+    }
     let beside = args.beside.as_ref().map(|file| {
         let source = Source {
             instance: file.clone(),

@@ -70,6 +70,26 @@ fn each_point_is_what_solve_says() {
 }
 
 #[test]
+fn robots_that_were_drawn_are_solved_by_themselves() {
+    let folder = folder();
+    let line = format!("sizing floor.json --robots 2..6/2 {DRAWN} --save drawn.json --format json");
+    let answer: Value = serde_json::from_str(folder.run(&line).answer()).unwrap();
+    for point in answer["points"].as_array().unwrap() {
+        let line = format!(
+            "solve drawn.json --agents {} --format json",
+            point["robots"]
+        );
+        let solved: Value = serde_json::from_str(folder.run(&line).answer()).unwrap();
+        assert_eq!(solved["status"], "optimal");
+        for key in ["status", "costs", "plan", "complete", "within"] {
+            assert_eq!(point[key], solved[key], "{key} of {}", point["robots"]);
+        }
+    }
+    let run = folder.run("sizing floor.json --robots 1 --save drawn.json");
+    assert!(run.err.contains("--starts"), "{}", run.err);
+}
+
+#[test]
 fn it_is_a_table_for_people_and_for_spreadsheets() {
     let line = format!("sizing floor.json --robots 2..6/2 {DRAWN} --beside more.json");
     let text = folder().run(&line).answer().to_owned();

@@ -164,9 +164,9 @@ fn whole(answer: &Answer, lane: &Lane) -> Vec<Offer> {
         agent: agent(),
         fewer_than: None,
     };
-    offers.push(
-        Offer::new("trail", length).with(tr!("it makes {moves} moves", moves = lane.moves())),
-    );
+    offers.push(Offer::new("trail", length).with(tr!(
+        "it makes {n} move" | "it makes {n} moves" % lane.moves()
+    )));
     offers
 }
 

@@ -99,6 +99,16 @@ fn find(state: &mut State, audit: &Audit) {
     }
 }
 
+/// Looks for what is proved of a plan of elsewhere, where nothing is known of that yet: the search
+/// was cut off by a reload, or the document came back.
+pub(crate) fn go_on(state: &mut State) {
+    let is_open = |audit: &Rc<Audit>| audit.ours.is_none();
+    let is_wanted = state.lesson().is_none() && state.audit().is_some_and(is_open);
+    if is_wanted && state.document.draft.instance().is_ok() {
+        solve::start(state, solve::Start::quiet());
+    }
+}
+
 /// A document with plans of elsewhere takes the place of the one on the board, and
 /// the search for what is proved of them begins.
 ///

@@ -134,6 +134,7 @@ pub(super) fn travel(state: &mut State, moment: Option<Moment>) {
     state.view.selection = moment.selection;
     state.view.playback.stop_at(moment.time);
     settle(state);
+    super::audit::go_on(state);
 }
 
 /// An edit that is made beside the board: of the world where that changes, else
@@ -267,10 +268,7 @@ impl Document {
 /// After an edit as a whole.
 pub(super) fn solve_on_change(state: &mut State) {
     // A plan of elsewhere was judged anew, by other rules.
-    let is_new = |audit: &Rc<crate::audit::Audit>| audit.ours.is_none();
-    if state.lesson().is_none() && state.audit().is_some_and(is_new) {
-        return solve::start(state, solve::Start::quiet());
-    }
+    super::audit::go_on(state);
     // A lesson asks the solver by itself.
     let is_own = state.lesson().is_none() && state.document.mode.is_editing();
     let is_wanted = state.settings.solve_on_change && is_own;

@@ -119,6 +119,7 @@ pub(super) fn resume(state: &mut State, moment: Moment) {
     state.view.selection = selection;
     state.view.playback.stop_at(time);
     settle(state);
+    super::audit::go_on(state);
 }
 
 /// Puts another document onto the board, as one step of undo.

@@ -36,6 +36,7 @@ pub(crate) mod tests;
 mod view;
 
 pub(crate) use area::copies;
+pub(crate) use audit::go_on as go_on_auditing;
 pub(crate) use document::settle;
 
 use crate::{Action, BoardAction, FileAction, SolveAction, State, ViewAction};

@@ -80,6 +80,7 @@ impl State {
         state.view.playback.stop_at(moment.time);
         state.history = history;
         crate::reduce::settle(&mut state);
+        crate::reduce::go_on_auditing(&mut state);
         state
     }
 

@@ -4,6 +4,7 @@ mod brought;
 mod conflicts;
 mod flow;
 mod intake;
+mod kept;
 mod left_out;
 
 use std::rc::Rc;
