@@ -1,6 +1,6 @@
 //! Links: the part of the address after `#`.
 
-use giveway_page::{Action, State, link};
+use giveway_page::{Action, PlayAction, State, link, reduce};
 use wasm_bindgen::JsValue;
 
 use crate::embed::is_embedded;
@@ -64,9 +64,7 @@ pub(crate) fn address(state: &State) -> String {
 
 /// The address of the page with its plan from the beginning: the same whenever a report is made.
 pub(crate) fn address_of_plan(state: &State) -> String {
-    let mut state = state.clone();
-    state.view.playback.stop_at(0);
-    address(&state)
+    address(&reduce(state, Action::Play(PlayAction::Seek(0))))
 }
 
 /// The language that the address of the page names.
