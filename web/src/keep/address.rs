@@ -1,7 +1,8 @@
 //! Links: the part of the address after `#`.
 
 use giveway_page::{Action, PlayAction, State, link, reduce};
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Event, HashChangeEvent};
 
 use crate::embed::is_embedded;
 
@@ -34,6 +35,17 @@ pub(crate) fn learn(what: &str) {
 /// The lesson that the address names, or a step of it (`room-to-pass.2`), once.
 pub(crate) fn lesson() -> Option<String> {
     taken(link::lesson)
+}
+
+/// The lesson of the address that has just come, once: by the time this is heard, an open
+/// lesson may have put its own address in its place.
+pub(crate) fn lesson_come(event: &Event) -> Option<String> {
+    let come = event.dyn_ref::<HashChangeEvent>()?.new_url();
+    let asked = come
+        .split_once('#')
+        .and_then(|(_, text)| link::lesson(text));
+    let here = lesson();
+    asked.or(here)
 }
 
 /// What is read of the text behind `#`; the address is then without it.

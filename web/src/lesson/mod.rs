@@ -94,17 +94,19 @@ pub(crate) fn use_course(state: &Shown, send: &Callback<Action>) -> Course {
         let course = (*course).clone();
         use_effect_with((), move |()| {
             let told = course.clone();
-            let follow = move || {
-                if let Some(what) = keep::lesson() {
+            let follow = move |what: Option<String>| {
+                if let Some(what) = what {
                     course.open(&what);
                 }
             };
-            follow();
+            follow(keep::lesson());
             language::tell_workers(Callback::from(move |language: String| {
                 told.dispatch(LANGUAGE, &JsValue::from_str(&language));
             }));
             let window = gloo::utils::window();
-            let listening = EventListener::new(&window, "hashchange", move |_| follow());
+            let listening = EventListener::new(&window, "hashchange", move |event| {
+                follow(keep::lesson_come(event));
+            });
             move || drop(listening)
         });
     }

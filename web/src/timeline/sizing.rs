@@ -33,7 +33,7 @@ pub(super) fn Sizing(props: &DockProps) -> Html {
             if all.is_empty() {
                 <div class="nil">{ icon::show("many") }<p><b>{ tr!("Nothing solved yet") }</b>{ tr!("Say how many robots, then solve: three charts come here.") }</p></div>
             } else {
-                <div class="sizes">{ for all.iter().map(|chart| show(chart, send)) }</div>
+                <div class="sizes" tabindex="0" role="group" aria-label={tr!("Charts")}>{ for all.iter().map(|chart| show(chart, send)) }</div>
                 <p class="legend-of-charts">
                     <span><i class="dot proved"></i>{ tr!("a plan is" => "proved") }</span>
                     <span><i class="dot open"></i>{ tr!("best so far; the bar ends at what is proved") }</span>

@@ -100,10 +100,11 @@ fn find(state: &mut State, audit: &Audit) {
 }
 
 /// Looks for what is proved of a plan of elsewhere, where nothing is known of that yet: the search
-/// was cut off by a reload, or the document came back.
+/// was cut off by a reload, or the document came back. A question that is open stays so.
 pub(crate) fn go_on(state: &mut State) {
     let is_open = |audit: &Rc<Audit>| audit.ours.is_none();
-    let is_wanted = state.lesson().is_none() && state.audit().is_some_and(is_open);
+    let is_free = state.lesson().is_none() && state.document.mode.asking().is_none();
+    let is_wanted = is_free && state.audit().is_some_and(is_open);
     if is_wanted && state.document.draft.instance().is_ok() {
         solve::start(state, solve::Start::quiet());
     }
