@@ -16,7 +16,7 @@ use yew::prelude::*;
 
 use crate::{Shown, broke};
 pub(crate) use address::{
-    address, address_of_plan, forget_linked_language, learn, lesson, linked_language,
+    address, address_of_plan, forget_linked_language, learn, lesson, lesson_come, linked_language,
 };
 pub(crate) use keeper::{Rescued, rescue};
 pub(crate) use lost::{download as download_lost, settle as settle_lost};

@@ -191,18 +191,22 @@ def freedom(
 
 def price(
     scene: AnyScene, *, objective: Objective | None = None, within: int | None = None, start: AnyPlan | None = None,
-    time_limit: float | None = None, conflict_limit: int | None = None, memory_limit: int | None = None,
-    on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
+    loosen: int | None = None, time_limit: float | None = None, conflict_limit: int | None = None,
+    memory_limit: int | None = None, on_progress: OnProgress | None = None, should_stop: ShouldStop | None = None,
 ) -> Prices:
     """Tells what each rule of the scene's own costs: the best plan without it beside the best with all of
     them. Where they leave no plan, it tells which exclude each other, and the fewest to switch off.
+    With ``loosen``, the number of a rule from 0, it tells the price of that rule alone, and the least looser
+    form of it that changes the costs, or with which there is a plan.
 
     >>> from giveway import Agent, Scene
     >>> scene = Scene(map=("...",), agents=(Agent("A", (0, 0), (2, 0)),), constraints=({"kind": "depart", "from": 3},))
     >>> price(scene).prices[0].difference["makespan"]
     3
+    >>> price(scene, loosen=0).loosened["looser"][0]["rule"]["from"]
+    2
     """
-    request = without_none(scene=scene, objective=costs(objective), within=within, start=start)
+    request = without_none(scene=scene, objective=costs(objective), within=within, start=start, loosen=loosen)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)
     return _ask(Prices, "price", request, on_progress, should_stop)
 
@@ -261,7 +265,7 @@ def sizing(
     >>> from giveway import Agent, Scene
     >>> agents = (Agent("A", (0, 0), (2, 0)), Agent("B", (2, 0), (0, 0)))
     >>> [point.costs.makespan for point in sizing(Scene(map=("...", "#.#"), agents=agents), [1, 2]).points]
-    [2, 5]
+    [2, 4]
     """
     request = without_none(scene=scene, counts=counts, beside=beside, objective=costs(objective), within=within)
     request["limits"] = limits(time_limit, conflict_limit, memory_limit)

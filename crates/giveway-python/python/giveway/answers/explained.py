@@ -140,6 +140,8 @@ class Prices(Record):
     stats: Stats
     #: How many prices are still to come.
     pending: int = 0
+    #: How the rule can be loosened that was asked about.
+    loosened: dict[str, Any] | None = optional()
     #: Why there is no plan or no proof.
     reason: str | None = optional()
 
