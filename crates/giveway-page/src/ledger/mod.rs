@@ -138,9 +138,11 @@ impl Document {
 }
 
 impl State {
-    /// The ledger, where it is open and the board has nothing else to show.
+    /// The ledger, where it is open and the board has nothing else to show: whoever selects a
+    /// robot or a cell looks at that.
     pub(crate) fn ledger(&self) -> Option<&Rc<Ledger>> {
-        let is_hidden = self.is_inside() || self.hides_answers();
+        let is_elsewhere = self.view.selection != Selection::Nothing;
+        let is_hidden = is_elsewhere || self.is_inside() || self.hides_answers();
         let is_open = self.view.ledger.is_open && self.document.mode.is_editing() && !is_hidden;
         if is_open {
             self.document.ledger()

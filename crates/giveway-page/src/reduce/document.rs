@@ -172,7 +172,10 @@ pub(super) fn edit_scene(state: &mut State, edits: &[Edit]) -> Result<(), Notice
     if super::steer::is_in_the_way(state) {
         return Ok(());
     }
-    if let Some(after) = edited(&state.document, edits)? {
+    if let Some(mut after) = edited(&state.document, edits)? {
+        if after.draft != state.document.draft && solve::keep_so_far(state) {
+            after = edited(&state.document, edits)?.unwrap_or(after);
+        }
         let is_meant = |edit: &Edit| {
             matches!(edit, Edit::Rules(RuleEdit::Remove(_) | RuleEdit::Put(..))) || edit.is_afresh()
         };

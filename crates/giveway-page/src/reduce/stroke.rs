@@ -7,7 +7,7 @@ use giveway_model::{Agent, Cell, tr_data};
 
 use super::board::select;
 use super::document::{edit, enter, put, solve_on_change};
-use super::{area, rules};
+use super::{area, rules, solve};
 use crate::edit::Sketch;
 use crate::fleet::Fleet;
 use crate::gesture::{Canvas, Gesture, Hold, Placing, Stroke};
@@ -89,6 +89,7 @@ fn painted(state: &mut State, before: &Rc<Draft>, sketch: &Sketch) {
     }
     match Draft::new(scene) {
         Ok(draft) => {
+            solve::keep_so_far(state);
             let mut document = Document::clone(&state.document);
             document.set_draft(draft);
             if let Some(lost) = crate::rules::lost(&state.document.draft, &document.draft) {

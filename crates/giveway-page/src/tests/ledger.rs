@@ -7,7 +7,10 @@ use super::{answer, answered, saying, seek, select};
 use crate::keys::{Command, Key, command};
 use crate::ledger::{Column, LedgerAction, LedgerLit, column, heat, legend, notes};
 use crate::reduce::tests::after;
-use crate::{Action, AskAction, Draft, Phase, SolveAction, State, Tool, WorkerAction, ask};
+use crate::{
+    Action, AskAction, BoardAction, Draft, Phase, Selection, SolveAction, State, Tool,
+    WorkerAction, ask,
+};
 
 const OPEN: Action = Action::Ledger(LedgerAction::Show(true));
 
@@ -194,6 +197,17 @@ fn while_it_is_added_up_it_says_so_and_can_be_stopped() {
 }
 
 #[test]
+fn whoever_selects_a_robot_sees_the_board_and_comes_back_to_it() {
+    let state = told();
+    assert!(state.shows_losses());
+    let selected = after(&state, [select(1), seek(1)]);
+    assert!(!selected.shows_losses() && column(&selected).is_none());
+    let nothing = Action::Board(BoardAction::Select(Selection::Nothing));
+    let back = after(&selected, [nothing]);
+    assert!(back.shows_losses() && column(&back).is_some());
+}
+
+#[test]
 fn it_is_of_the_plan_on_the_board_alone() {
     let state = told();
     let edited = after(
@@ -205,8 +219,8 @@ fn it_is_of_the_plan_on_the_board_alone() {
     assert!(refused.view.notice.is_some() && refused.work.is_idle());
     let back = after(&edited, [Action::Undo]);
     assert_eq!(column(&back), column(&state));
-    // A robot is looked at in between; the time does not matter.
-    let looked = after(&state, [select(0), seek(1)]);
+    // The time does not matter.
+    let looked = after(&state, [seek(1)]);
     assert!(heat(&looked).is_some());
 }
 

@@ -6,7 +6,7 @@ mod known;
 mod preview;
 
 use super::{area, ask, fleet, floor_plan, grow, inside, planners, proof};
-use crate::{Document, SolveAction, State, Task};
+use crate::{Document, SolveAction, Solving, State, Task};
 
 pub(super) use answered::{answered, front};
 pub(super) use begin::{Start, start};
@@ -42,6 +42,19 @@ pub(super) fn solve(state: &mut State, action: &SolveAction) {
 /// Whether a scene is small enough to be proved without being asked.
 pub(super) fn is_small(document: &Document) -> bool {
     document.draft.agents().len() <= SMALL
+}
+
+/// An edit ends the search: the plan that it has found so far is not lost with it. Whether there is
+/// one.
+pub(super) fn keep_so_far(state: &mut State) -> bool {
+    let run = state.work.solving().filter(|run| run.planner.is_none());
+    let found = run.and_then(Solving::stopped);
+    let is_found = found.is_some_and(|solved| solved.plan.is_some());
+    if is_found {
+        cancel(state);
+        state.view.playback.playing = false;
+    }
+    is_found
 }
 
 /// Ends what runs; what is known of an answer stays.

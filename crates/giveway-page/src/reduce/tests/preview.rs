@@ -220,12 +220,13 @@ fn a_plan_that_is_only_proved_stays_as_it_is() {
 }
 
 #[test]
-fn an_edit_takes_the_plan_of_a_search_along() {
+fn an_edit_ends_a_search_and_keeps_its_plan() {
     let state = play(&tell(&begun(), later(1)), PlayAction::Reach(3));
     let painted = after(&state, super::edit());
     assert!(painted.so_far().is_none() && painted.work.is_idle());
-    assert!(!painted.view.playback.playing && painted.view.playback.time == 0);
-    assert_eq!(painted.document.answer, None);
+    assert!(!painted.view.playback.playing);
+    let kept = painted.document.answer.as_ref().unwrap();
+    assert_eq!(kept.plan(), state.plan());
 }
 
 #[test]

@@ -3,9 +3,11 @@
 use giveway_model::{Cost, Plan};
 use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
 
-use super::{after, fresh};
+use super::{after, fresh, stroke};
 use crate::sample::solved;
-use crate::{Action, BoardAction, Phase, SolveAction, State, ViewAction, WorkerAction, words};
+use crate::{
+    Action, BoardAction, Edit, Phase, SolveAction, State, Tool, ViewAction, WorkerAction, words,
+};
 
 /// The warehouse while it is solved: the plan is found, and half of its proof.
 fn half_way() -> State {
@@ -39,6 +41,19 @@ fn cancelling_keeps_the_best_plan_and_all_bounds() {
     assert_eq!(standing, expect);
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.document.answer, None, "it was a step");
+}
+
+#[test]
+fn an_edit_keeps_the_plan_that_was_found_so_far() {
+    let painted = after(&half_way(), stroke(Tool::Obstacle, &[(8, 0)]));
+    let named = after(&half_way(), [Action::Edit(Edit::RemoveAgent(1))]);
+    for edited in [painted, named] {
+        assert!(edited.work.is_idle() && !edited.view.playback.playing);
+        assert!(edited.document.is_stale() && edited.document.answer.is_some());
+        let back = after(&edited, [Action::Undo]);
+        assert_eq!(back.phase(), Phase::Stopped);
+        assert_eq!(told(&back).bounds[&Cost::Makespan], 17);
+    }
 }
 
 #[test]
@@ -116,7 +131,7 @@ fn cancelling_knows_nothing_where_nothing_was_known() {
 }
 
 #[test]
-fn an_edit_forgets_a_search_and_nothing_else_does() {
+fn an_edit_ends_a_search_and_nothing_else_does() {
     let state = half_way();
     let looked = [
         Action::View(ViewAction::ShowTrails(false)),
@@ -124,7 +139,7 @@ fn an_edit_forgets_a_search_and_nothing_else_does() {
     ];
     assert_eq!(after(&state, looked).phase(), Phase::Solving);
     let painted = after(&state, super::edit());
-    assert!(painted.work.is_idle() && painted.document.answer.is_none());
+    assert!(painted.work.is_idle());
 }
 
 /// The warehouse's plan from a link, while it is proved.
