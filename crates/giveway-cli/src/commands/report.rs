@@ -89,6 +89,9 @@ pub(crate) fn run(args: &Args, common: &Common, clock: Clock) -> Result<Exit, Fa
     Ok(exit)
 }
 
+/// What the delays of a plan may take, in seconds.
+const DELAYS_SECONDS: f64 = 5.0;
+
 /// What is asked of the service.
 struct Asker<'a> {
     args: &'a Args,
@@ -174,7 +177,11 @@ impl Asker<'_> {
             plan: Some(plan.clone()),
             changes: changes.map(|file| file.changes.clone()),
             ledger_only: true,
-            limits: self.limits(),
+            // A search that took all of the time leaves some for what its plan costs whom.
+            limits: Limits {
+                seconds: Some(self.args.time_limit.min(DELAYS_SECONDS)),
+                ..Limits::default()
+            },
             ..DelaysRequest::default()
         });
         let Response::Delays(answer) = self.ask(&request) else {
