@@ -42,6 +42,7 @@ describe("playing", () => {
     await playground.button("Pause").waitFor();
     await playground.reaches("2 or later", (now) => now >= 2);
     await playground.press("To start");
+    await playground.button("Play").waitFor();
     // Whether it rests is not waited for.
     await page.locator(".playb").click({ force: true });
     await playground.button("Pause").waitFor();
