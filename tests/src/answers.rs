@@ -81,6 +81,7 @@ fn ask_in(host: &dyn Host, case: &Case, within: Option<u32>, limits: Limits) -> 
         objective: None,
         within,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits,
     });

@@ -99,6 +99,7 @@ pub fn unsolvable(instance: &Instance) -> Option<ExplainAnswer> {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -47,6 +47,7 @@ pub fn explain(
         changes: None,
         at: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits,
     });

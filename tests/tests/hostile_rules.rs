@@ -209,6 +209,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             objective,
             within,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: limits(),
         }),
@@ -221,6 +222,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             objective: None,
             within,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: limits(),
         }),
@@ -252,6 +254,7 @@ fn ask_one(what: &str, rule: &Constraint, (scene, plan): &(Scene, Plan)) {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: limits(),
     };

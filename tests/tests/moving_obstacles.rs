@@ -211,6 +211,7 @@ fn ask(scene: &Instance, plan: Option<&Plan>, changes: Option<&Changes>) -> Expl
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -45,6 +45,7 @@ fn ask(scene: &Value, solved: &SolveAnswer) -> ExplainAnswer {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     };

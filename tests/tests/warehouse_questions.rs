@@ -34,6 +34,7 @@ fn answer(words: &str) -> ExplainAnswer {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -83,6 +83,7 @@ impl Asking {
             objective: answer.request.objective.clone(),
             within: answer.request.within,
             proved: answer.proved_here(),
+            known: None,
             limits,
         });
         Self::new(request, Rc::clone(answer))

@@ -5,9 +5,12 @@ mod questions;
 use std::rc::Rc;
 
 use giveway_model::Cost;
-use giveway_picture::report::{Known, LoneDelay, Report, Subject};
+use giveway_picture::report::{Known, LoneDelay, Proved, Report, Subject};
 use giveway_solve::Status;
-use giveway_solve::delays::{AgentDelay, words::row};
+use giveway_solve::delays::{
+    AgentDelay,
+    words::{passes, row},
+};
 use giveway_solve::words::{on_paper, reason};
 
 use crate::files::Saved;
@@ -78,7 +81,12 @@ fn known(state: &State, answer: &Answer) -> Known {
     let steps = answer.course.as_ref().map_or(&[][..], |it| &it.steps);
     Known {
         claim,
-        is_proved,
+        proved: match (is_proved, is_own) {
+            (false, _) => Proved::No,
+            (true, true) => Proved::within(solved.reach.within()),
+            // Of the plans from a time on.
+            (true, false) => Proved::OfThese,
+        },
         remarks: solved.reason.as_ref().map(reason).into_iter().collect(),
         bounds: solved.bounds.iter().map(bounds).collect(),
         before: steps.first().and_then(|step| step.before),
@@ -100,6 +108,7 @@ fn delays(state: &State) -> Vec<LoneDelay> {
         robot: told.agent.clone(),
         alone: told.alone,
         delay: told.delay,
+        passes: passes(told),
         why: row(told),
     };
     told.map_or_else(Vec::new, |told| told.agents.iter().map(lone).collect())
@@ -122,7 +131,7 @@ mod tests {
             let least = answer.solved.bounds.get(&row.cost).copied();
             assert_eq!(row.at_least, least, "{:?}", row.cost);
         }
-        assert!(report.known.is_proved);
+        assert_eq!(report.known.proved, Proved::OfAll);
         assert_eq!(report.known.claim, "Proved: no plan is better.");
         let arrivals: Vec<_> = report.robots.iter().map(|row| row.arrives).collect();
         assert_eq!(arrivals, answer.arrivals);

@@ -94,6 +94,7 @@ pub(crate) fn table() -> Result<String, Box<dyn Error>> {
                 objective: None,
                 within: None,
                 proved: None,
+                known: None,
                 layers: Vec::new(),
                 limits: giveway_solve::Limits::default(),
             };

@@ -96,6 +96,7 @@ impl Course {
             objective: None,
             within: None,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: limits(),
         });

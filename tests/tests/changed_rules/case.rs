@@ -125,6 +125,7 @@ impl Case {
             objective: None,
             within: None,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: Limits {
                 conflicts: Some(20_000),

@@ -20,6 +20,7 @@ fn ask(instance: &Instance, question: Question) -> Result<ExplainAnswer, Refusal
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: giveway_solve::Limits::default(),
     };

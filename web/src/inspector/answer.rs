@@ -2,7 +2,7 @@
 //! what excludes it, what would help.
 
 use giveway_model::tr;
-use giveway_page::ask::{Card, FactRow, Facts, Happening, Held, Offered};
+use giveway_page::ask::{Card, FactRow, Facts, Happening, Held, Missing, Offered};
 use giveway_page::beside::DifferenceRow;
 use giveway_page::{Action, AskAction, Lit, PlayAction, SolveAction};
 use yew::prelude::*;
@@ -56,6 +56,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
             if card.other.is_some() && !card.repairs.is_empty() {
                 { repairs(card, false, send) }
             }
+            { for card.missing.iter().map(missing) }
             if held.reasons { { place(tr!("Because of"), 3) } }
             if held.help { { place(tr!("What would help"), 1) } }
             if let Some(standing) = &card.standing {
@@ -200,6 +201,12 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
             <ul class="reasons">{ for happenings.iter().map(one) }</ul>
         </section>
     }
+}
+
+/// What is told in the place of a part that was not found.
+fn missing(missing: &Missing) -> Html {
+    let sentence = |sentence: &String| html! { <p class="remark">{ sentence.clone() }</p> };
+    html! { <section><h3>{ missing.title }</h3>{ for missing.sentences.iter().map(sentence) }</section> }
 }
 
 /// Lights up, and shows the time of what has one.

@@ -48,7 +48,8 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
             if !list.zones.is_empty() {
                 <p class="zones">{ tr!("Zones") }{ " " }{ for list.zones.iter().map(own) }</p>
             }
-            if list.can_ask || list.asking.is_some() { { ask(list.asking, send) } }
+            if let Some(why) = &list.left_open { <p class="remark">{ why.clone() }</p> }
+            if list.can_ask || list.asking.is_some() { { ask(list.asking, list.left_open.is_some(), send) } }
             <p class="vh" role="status">{ list.told.clone() }</p>
         </section>
     }
@@ -247,8 +248,9 @@ pub(super) fn question(state: &State, send: &Callback<Action>) -> Html {
     }
 }
 
-/// The button that asks what rules cost; it stops, while that is being found out.
-fn ask(asking: Option<(u32, u32)>, send: &Callback<Action>) -> Html {
+/// The button that asks what rules cost; it stops, while that is being found out, and goes on
+/// where prices are left open.
+fn ask(asking: Option<(u32, u32)>, goes_on: bool, send: &Callback<Action>) -> Html {
     let onclick = act(send, || RuleAction::Price);
     let label = asking.map(|(known, of)| {
         tr!(
@@ -259,7 +261,7 @@ fn ask(asking: Option<(u32, u32)>, send: &Callback<Action>) -> Html {
     });
     let content = html! {
         <>
-            { icon::show("price") }<span>{ tr!("What do the rules cost?") }</span>
+            { icon::show("price") }<span>{ if goes_on { tr!("Go on with the prices") } else { tr!("What do the rules cost?") } }</span>
             if let Some((known, of)) = asking {
                 <small>{ tr!("{known} of {of}", known, of) }</small>{ icon::show("stop") }
                 <progress aria-hidden="true" max={of.to_string()} value={known.to_string()}></progress>

@@ -52,6 +52,7 @@ pub(crate) fn run(args: &Explain, common: &Common, clock: Clock) -> Result<Exit,
         objective: None,
         within: args.within,
         proved: None,
+        known: None,
         layers: args.layers.clone(),
         limits: clock.limits(args.time_limit),
     });

@@ -29,6 +29,7 @@ pub(crate) fn run(args: &Price, common: &Common, clock: Clock) -> Result<Exit, F
         within: args.within,
         start: plan.transpose()?,
         loosen: args.loosen,
+        known: None,
         limits: clock.limits(args.time_limit),
     });
     let host = CommandHost::new(clock, common.quiet, instance.objective().clone());

@@ -1,9 +1,12 @@
 //! `giveway report`: a plan on paper, with what is proved of it.
 
 use giveway_model::{Cost, Instance, Plan};
-use giveway_picture::report::{Known, LoneDelay, Report, Subject};
+use giveway_picture::report::{Known, LoneDelay, Proved, Report, Subject};
 use giveway_solve::audit::{AuditRequest, AuditStatus, words::headline_under};
-use giveway_solve::delays::{AgentDelay, DelaysRequest, words::row};
+use giveway_solve::delays::{
+    AgentDelay, DelaysRequest,
+    words::{passes, row},
+};
 use giveway_solve::words::{proved, reason};
 use giveway_solve::{
     CheckRequest, Limits, Refusal, Request, Response, SolveAnswer, SolveRequest, serve,
@@ -163,7 +166,11 @@ impl Asker<'_> {
             } else {
                 headline_under(&answer, self.instance.assumptions()).to_string()
             },
-            is_proved,
+            proved: if is_proved {
+                Proved::within(answer.reach.within())
+            } else {
+                Proved::No
+            },
             bounds: bounds(&answer.bounds),
             ..Known::default()
         };
@@ -191,6 +198,7 @@ impl Asker<'_> {
             robot: told.agent.clone(),
             alone: told.alone,
             delay: told.delay,
+            passes: passes(told),
             why: row(told),
         };
         answer.agents.iter().map(lone).collect()
@@ -239,7 +247,11 @@ fn of_solved(answer: &SolveAnswer) -> Known {
     let (claim, is_proved) = giveway_solve::words::on_paper(answer);
     Known {
         claim,
-        is_proved,
+        proved: if is_proved {
+            Proved::within(answer.reach.within())
+        } else {
+            Proved::No
+        },
         remarks: answer.reason.as_ref().map(reason).into_iter().collect(),
         bounds: bounds(&answer.bounds),
         ..Known::default()

@@ -52,13 +52,16 @@ fn write_beside(file: &NewFile) -> io::Result<NamedTempFile> {
 }
 
 fn beside(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
-    let folder = path.parent().unwrap_or(Path::new("."));
+    let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(".giveway-");
     // Files of this kind are private by default; a result is as open as any new file.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut beside = builder.tempfile_in(folder)?;
+    // What goes wrong is told without the name of the file beside.
+    let told = |error: io::Error| fs::metadata(folder).err().unwrap_or(error.kind().into());
+    let mut beside = builder.tempfile_in(folder).map_err(told)?;
     beside.write_all(bytes)?;
     beside.flush()?;
     Ok(beside)

@@ -62,6 +62,7 @@ pub(super) fn explain(scene: &Scene, plan: Option<&Plan>, question: Question) ->
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: limits(),
     })

@@ -138,6 +138,7 @@ fn numbers_in_texts_are_true() {
                 objective: None,
                 within: None,
                 proved: None,
+                known: None,
                 layers: Vec::new(),
                 limits: Limits::default(),
             });

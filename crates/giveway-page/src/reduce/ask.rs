@@ -95,7 +95,11 @@ fn asking(state: &mut State, question: &Question) -> Option<Asking> {
                 refuse(state, misfit.in_sentences());
                 return None;
             }
-            Some(asked(answer))
+            let mut asking = asked(answer);
+            // What an earlier question found is known to this one.
+            let better = state.found_better().and_then(|better| better.plan());
+            Rc::make_mut(&mut asking.request).known = better.cloned();
+            Some(asking)
         }
     }
 }

@@ -19,9 +19,16 @@ pub(super) fn price(state: &mut State) {
     state.view.notice = None;
     let request = request(state);
     let draft = Rc::clone(&state.document.draft);
+    // What is proved of an answer before stays.
+    let told = state.prices().and_then(|prices| prices.told.clone());
+    let told = told.map(|mut told| {
+        let open = told.prices.iter().filter(|price| !price.exact).count();
+        Rc::make_mut(&mut told).pending = open as u32;
+        told
+    });
     state.view.rules.prices = Some(Rc::new(Pricing {
         draft: Rc::clone(&draft),
-        told: None,
+        told,
     }));
     state.work.start(Task::Price(draft, Rc::new(request)));
 }

@@ -1,10 +1,12 @@
 //! The card of the rule that is being written, as the inspector shows it.
 
 use giveway_model::condition::Times;
+use giveway_model::words::and;
 use giveway_model::{Cell, Zone, tr};
 
 use super::counts::{counts, times_in};
 use super::judge::judge;
+use super::never::but_some;
 use super::pieces::is_always;
 use super::{Count, Judged, Piece, Slot, Writing, icon, parts, pieces, ranges};
 use crate::State;
@@ -115,6 +117,14 @@ pub fn card(state: &State) -> Option<Card> {
     };
     let others = writing.offers.iter();
     let others = others.filter(|rule| icon(rule) != icon(&writing.rule));
+    let for_some = but_some(scene, &writing.rule).map(|(rule, left_out)| Offer {
+        icon: icon(&rule),
+        sentence: tr!(
+            "The same for all robots but {robots}",
+            robots = and(&left_out)
+        ),
+        rule,
+    });
     Some(Card {
         zone: zone.map(str::to_owned),
         place: cells.map_or_else(String::new, place),
@@ -135,7 +145,7 @@ pub fn card(state: &State) -> Option<Card> {
             None => writing.rule.sentence(),
         },
         misread: writing.misread.as_ref().map(|(_, why)| why.clone()),
-        offers: others.map(offer).collect(),
+        offers: for_some.into_iter().chain(others.map(offer)).collect(),
         stays: zone.map_or_else(Vec::new, |zone| stays(state, zone)),
         counts,
         judged,

@@ -140,8 +140,8 @@ fn ruling(state: &State, writing: &Writing) -> Judged {
         let inside = uncounted(state, changing, &writing.rule);
         return say(Ruling::Open, &title, inside.into_iter().collect());
     }
-    if let Some(why) = never(state.document.draft.scene(), &writing.rule) {
-        return say(Ruling::Never, tr!("No plan can keep it"), vec![why]);
+    if let Some(never) = never(state.document.draft.scene(), &writing.rule) {
+        return say(Ruling::Never, tr!("No plan can keep it"), vec![never.why]);
     }
     let Some(plan) = state.document.plan() else {
         let title = if state.document.is_stale() {

@@ -23,6 +23,8 @@ pub struct List {
     pub zones: Vec<(String, bool)>,
     /// While prices are asked for: how many are known, and of how many.
     pub asking: Option<(u32, u32)>,
+    /// Why not every price is known, where somebody asked.
+    pub left_open: Option<String>,
     /// Whether what they cost can be asked for.
     pub can_ask: bool,
     /// What prices came to as a whole, to be read aloud.
@@ -150,6 +152,7 @@ pub fn list(state: &State) -> Option<List> {
                 )
             })
             .collect(),
+        left_open: super::price::left_open(state),
         can_ask: on > 0 && state.document.draft.instance().is_ok(),
         told: said.filter(|_| asking.is_none()).unwrap_or_default(),
         asking,

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use giveway_model::check::check;
 use giveway_model::tr;
-use giveway_solve::price::{Price, PriceAnswer, PriceRequest, RulePrice, words};
+use giveway_solve::price::{KnownPrices, Price, PriceAnswer, PriceRequest, RulePrice, words};
 use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
 use crate::{Answer, Draft, State, Task};
@@ -45,11 +45,41 @@ pub(crate) fn request(state: &State) -> PriceRequest {
         within: document.within,
         start: document.plan().cloned(),
         loosen: None,
+        known: Some(Box::new(known_prices(state))),
         limits: Limits {
             seconds: Some(f64::from(state.settings.seconds)),
             ..Limits::default()
         },
     }
+}
+
+/// What earlier answers about the scene on the board say.
+fn known_prices(state: &State) -> KnownPrices {
+    let answer = state.document.fresh_answer();
+    let proved = answer.filter(|answer| answer.proved_here().is_some());
+    let told = state.prices().and_then(|prices| prices.told.as_deref());
+    KnownPrices {
+        with: proved.map(|answer| SolveAnswer {
+            trace: None,
+            ..answer.solved.clone()
+        }),
+        prices: told.map_or_else(Vec::new, |told| told.prices.clone()),
+    }
+}
+
+/// Why not every price is known, as a sentence; nothing while they are asked for.
+pub(super) fn left_open(state: &State) -> Option<String> {
+    let told = state.prices()?.told.as_deref()?;
+    let is_open = told.prices.iter().any(|price| !price.exact);
+    if !is_open || state.is_pricing() {
+        return None;
+    }
+    Some(if told.pending > 0 {
+        tr!("It was stopped before every price was known.").to_owned()
+    } else {
+        tr!("{n} second was not enough to prove every price."
+            | "{n} seconds were not enough to prove every price." % state.settings.seconds)
+    })
 }
 
 /// The best plan without a rule, which is shown beside the plan.
@@ -139,7 +169,8 @@ pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
             .iter()
             .position(|price| price.index as usize == index)?;
         let known = told.prices.len().saturating_sub(told.pending as usize);
-        Some((told, told.prices.get(place)?, place < known))
+        let price = told.prices.get(place)?;
+        Some((told, price, price.exact || place < known))
     });
     match price {
         Some((told, price, true)) => Some(known(told, price)),

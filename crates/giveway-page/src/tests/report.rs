@@ -37,7 +37,9 @@ fn delays_are_added_up_for_a_report() {
     let report = told(&state);
     for row in &report.robots {
         // Alone each robot drives five cells.
-        let (alone, delay) = row.alone.unwrap();
+        let lone = row.alone.as_ref().unwrap();
+        let (alone, delay) = (lone.alone, lone.delay);
+        assert_eq!(lone.passes.is_empty(), delay == 0, "{}", row.name);
         assert_eq!((alone, row.arrives), (5, Some(5 + delay)), "{}", row.name);
     }
     assert!(

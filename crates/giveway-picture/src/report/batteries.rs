@@ -1,7 +1,25 @@
 //! The battery of a robot on its way: the least level, and what is left at the goal.
 
+use giveway_model::tr;
+
 use super::subject::Robot;
 use super::{BatteryRow, Subject};
+
+/// How batteries are told; `None` where no robot has one.
+pub(super) fn rule(subject: &Subject<'_>) -> Option<String> {
+    let mut robots = subject.robots.iter();
+    robots.find(|robot| robot.agent.battery.is_some())?;
+    Some(match subject.instance.rules().battery_floor {
+        0 => tr!(
+            "A battery loses 1 with each step until its robot arrives. A charge takes one step and fills it."
+        )
+        .to_owned(),
+        floor => tr!(
+            "A battery loses 1 with each step until its robot arrives, and may not fall below {floor}. A charge takes one step and fills it.",
+            floor
+        ),
+    })
+}
 
 /// The battery of a robot; `None` without one.
 pub(super) fn row(subject: &Subject<'_>, robot: &Robot) -> Option<BatteryRow> {

@@ -58,6 +58,9 @@ impl Report {
             tr!("Lowest level"),
             tr!("Level at the goal"),
         ]);
+        if has_alone {
+            heads.push(tr!("a robot" => "Lets pass"));
+        }
         let heads = heads.into_iter().map(csv::text).collect();
         let rows = self.robots.iter().map(|row| {
             let cell = |cell: &giveway_model::Cell| format!("{}, {}", cell.x, cell.y);
@@ -77,14 +80,18 @@ impl Report {
                 cells.push(csv::text(&row.arrives.map(seconds).unwrap_or_default()));
             }
             let number = |level: Option<i64>| level.map(|n| n.to_string()).unwrap_or_default();
+            let lone = row.alone.as_ref();
             if has_alone {
-                cells.push(number(row.alone.map(|(time, _)| time.into())));
-                cells.push(number(row.alone.map(|(_, delay)| delay.into())));
+                cells.push(number(lone.map(|lone| lone.alone.into())));
+                cells.push(number(lone.map(|lone| lone.delay.into())));
             }
             cells.push(row.waits.to_string());
             cells.push(row.charges.len().to_string());
             cells.push(number(row.lowest));
             cells.push(number(row.battery.as_ref().and_then(|it| it.at_goal)));
+            if has_alone {
+                cells.push(csv::text(lone.map_or("", |lone| &lone.passes)));
+            }
             cells
         });
         csv::table(std::iter::once(heads).chain(rows))

@@ -47,6 +47,20 @@ pub(super) fn facts(subject: &Subject<'_>) -> Vec<String> {
     facts
 }
 
+/// How cells and times are told, and what a slow zone does.
+pub(super) fn conventions(subject: &Subject<'_>) -> Vec<String> {
+    let mut told = vec![
+        tr!(
+            "A cell is told as column, row, both from 0 at the top left; a time in steps from the start at 0."
+        )
+        .to_owned(),
+    ];
+    if subject.grid().cells().any(|(_, ground)| ground.is_slow()) {
+        told.push(tr!("A move within a slow zone takes 2 steps.").to_owned());
+    }
+    told
+}
+
 /// What the plan costs, in words.
 pub(super) fn costs_told(subject: &Subject<'_>) -> String {
     let Some(costs) = subject.costs else {

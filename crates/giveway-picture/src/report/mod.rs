@@ -9,6 +9,7 @@ mod html;
 mod last;
 mod map;
 mod marks;
+mod objective;
 mod robots;
 mod subject;
 #[cfg(test)]
@@ -26,8 +27,8 @@ const LONGEST_LINK: usize = 2000;
 pub struct Known {
     /// What is proved, as a sentence: the headline.
     pub claim: String,
-    /// Whether it is proved that no plan is better.
-    pub is_proved: bool,
+    /// Whether it is proved that no plan is better, and of which plans.
+    pub proved: Proved,
     /// What else is to be said of the claim, a sentence each.
     pub remarks: Vec<String>,
     /// What is proved of a cost of any plan: at least so much.
@@ -44,6 +45,28 @@ pub struct Known {
     pub link: Option<String>,
 }
 
+/// Whether a plan is proved best, and among which plans.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Proved {
+    /// It is not.
+    #[default]
+    No,
+    /// Among all plans.
+    OfAll,
+    /// Among those that the claim names: up to a makespan, or from a time on.
+    OfThese,
+}
+
+impl Proved {
+    /// A plan that is proved best: among all plans, or among those up to a makespan.
+    pub const fn within(within: Option<u32>) -> Self {
+        match within {
+            None => Self::OfAll,
+            Some(_) => Self::OfThese,
+        }
+    }
+}
+
 /// What a robot loses against its best way alone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoneDelay {
@@ -53,6 +76,8 @@ pub struct LoneDelay {
     pub alone: u32,
     /// How many steps it loses.
     pub delay: u32,
+    /// Whom it lets pass, by their names; nothing where it loses nothing.
+    pub passes: String,
     /// Whom it lets pass, as a sentence.
     pub why: String,
 }
@@ -81,6 +106,8 @@ pub struct Report {
     pub known: Known,
     /// What the plan costs, in words.
     pub costs_told: String,
+    /// Which costs count, in their order, and what is proved of them: a sentence each.
+    pub objective: Vec<String>,
     /// The costs, those of the objective first.
     pub costs: Vec<CostRow>,
     /// What changed while the plan ran, by time.
@@ -95,6 +122,10 @@ pub struct Report {
     pub map: String,
     /// What the signs of the map mean.
     pub signs: Vec<Sign>,
+    /// How cells and times are told, and what a slow zone does: a sentence each.
+    pub conventions: Vec<String>,
+    /// How batteries are told; `None` where no robot has one.
+    pub battery_rule: Option<String>,
     units: Option<Units>,
 }
 
@@ -145,14 +176,14 @@ pub struct RobotRow {
     pub removed: Option<u32>,
     /// How many steps it waits.
     pub waits: u32,
-    /// When it charges.
-    pub charges: Vec<u32>,
+    /// Where and when it charges.
+    pub charges: Vec<(Cell, u32)>,
     /// The lowest level of its battery; `None` without one.
     pub lowest: Option<i64>,
     /// Its battery; `None` without one.
     pub battery: Option<BatteryRow>,
-    /// When it would arrive alone, in steps, and how many it loses; `None` where that is not known.
-    pub alone: Option<(u32, u32)>,
+    /// What it loses against its way alone; `None` where that is not known.
+    pub alone: Option<LoneDelay>,
 }
 
 /// A battery on its way.
@@ -214,7 +245,10 @@ impl Report {
         Self {
             title: facts::title(subject),
             facts: facts::facts(subject),
+            conventions: facts::conventions(subject),
+            battery_rule: batteries::rule(subject),
             costs_told: facts::costs_told(subject),
+            objective: objective::told(subject, &known),
             costs: facts::costs(subject, &known),
             changes: facts::changes(subject, &known),
             last: last::told(subject, &robots, &known),

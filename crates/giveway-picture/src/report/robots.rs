@@ -41,9 +41,20 @@ fn row(subject: &Subject<'_>, known: &Known, robot: &Robot, number: String) -> R
         arrives: robot.arrives,
         removed: robot.removed,
         waits: u32::try_from(waits).unwrap_or(u32::MAX),
-        charges: subject.plan.charges(&robot.agent.name).to_vec(),
+        charges: charges(subject, robot, &way),
         lowest: robot.levels.iter().min().copied(),
         battery: batteries::row(subject, robot),
-        alone: alone.map(|delay| (delay.alone, delay.delay)),
+        alone: alone.cloned(),
     }
+}
+
+/// Where and when a robot charges.
+fn charges(subject: &Subject<'_>, robot: &Robot, way: &[(u32, Cell)]) -> Vec<(Cell, u32)> {
+    let times = subject.plan.charges(&robot.agent.name).iter();
+    let at = |&time: &u32| {
+        let mut stops = way.iter();
+        let stop = stops.find(|&&(stop, _)| stop == time);
+        stop.map(|&(_, cell)| (cell, time))
+    };
+    times.filter_map(at).collect()
 }

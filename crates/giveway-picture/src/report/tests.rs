@@ -71,7 +71,7 @@ fn robots_have_their_visits_waits_and_levels() {
     };
     assert_eq!(first.waypoints, [(Cell::new(1, 0), Some(1))]);
     assert_eq!((first.arrives, first.waits), (Some(4), 1));
-    assert_eq!(first.charges, [2]);
+    assert_eq!(first.charges, [(Cell::new(2, 0), 2)]);
     let levels = check::levels(&instance, 0, &plan);
     assert_eq!(first.lowest, levels.iter().min().copied());
     let battery = first.battery.clone().unwrap();

@@ -56,6 +56,7 @@ fn questions_and_best_plans_claim_nothing_for_every_horizon() {
                 objective: None,
                 within: None,
                 proved: None,
+                known: None,
                 layers: Vec::new(),
                 limits: crate::Limits::default(),
             });

@@ -60,6 +60,14 @@ pub fn row(row: &AgentDelay) -> String {
     }
 }
 
+/// Whom an agent lets pass, as far as a cell of a table has room; nothing where it loses nothing.
+pub fn passes(row: &AgentDelay) -> String {
+    if row.because.is_empty() {
+        return String::new();
+    }
+    causes(&row.because)
+}
+
 /// The names of all causes of a row, as far as a sentence has room.
 pub fn causes(shares: &[Share]) -> String {
     let mut named: Vec<String> = shares.iter().map(|share| cause(&share.cause)).collect();

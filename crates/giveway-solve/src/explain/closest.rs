@@ -6,7 +6,7 @@ use giveway_model::{Cell, Condition, Costs, Instance, Plan, check::check};
 
 use super::{
     ask::{names, walks},
-    verdict::FittingQuestion,
+    fitting::FittingQuestion,
 };
 use crate::{
     Limits,

@@ -15,10 +15,10 @@ use super::{
     ExplainAnswer, ExplainRequest, Layer, Part,
     ask::{Ask, any},
     changed::{ChangedWorld, asked, counting},
+    fitting::FittingQuestion,
     own_plan::OwnPlanReport,
     reasons,
     telling::{Reporter, tell_best, tell_nearby, tell_verdict},
-    verdict::FittingQuestion,
     whole::WholePlan,
     words,
 };
@@ -50,6 +50,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             whole: WholePlan::default(),
             layers: &request.layers,
             proved: request.proved.and_then(Reach::handed_on),
+            known: request.known.as_ref(),
         };
         return answered(&asked, &budget, host);
     };
@@ -80,6 +81,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
         layers: &request.layers,
         // The claim is about the plan without changes.
         proved: None,
+        known: None,
     };
     answered(&asked, &budget, host)
 }
@@ -104,6 +106,8 @@ struct PlanQuestion<'a> {
     layers: &'a [Layer],
     /// How far it is proved already that no plan is better.
     proved: Option<Proved>,
+    /// A plan that may be as asked for.
+    known: Option<&'a Plan>,
 }
 
 /// The answer for a plan that breaks rules while the world changes.
@@ -134,6 +138,7 @@ fn answered(
         whole,
         layers,
         proved,
+        known,
     } = asked;
     let (within, whole) = (*within, *whole);
     let costs = plan.as_ref();
@@ -180,6 +185,9 @@ fn answered(
         Some(solved) => solved.reach,
         None => *proved,
     };
+    if let Some(plan) = known {
+        case.hand_on(plan);
+    }
     answer.pending = Layer::parts(layers);
     tell_nearby(&case, &mut answer, &telling);
     if answer.pending.contains(&Part::Verdict) {

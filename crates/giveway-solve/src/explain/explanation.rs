@@ -46,6 +46,10 @@ pub struct ExplainRequest {
     /// same build hand it on; no file has it.
     #[serde(skip)]
     pub proved: Option<Reach>,
+    /// A plan that an earlier answer about `plan` found: the other plan is no worse than this one
+    /// where it is as asked for, which is checked. No file has it.
+    #[serde(skip)]
+    pub known: Option<Plan>,
     /// The layers of the answer, each with those of `whole`, `reason` and `help` before it; without
     /// any these three.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

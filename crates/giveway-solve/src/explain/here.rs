@@ -5,9 +5,9 @@ use std::rc::Rc;
 use giveway_model::{Cell, Question, sorting::sort_by_key};
 
 use super::{
+    fitting::FittingQuestion,
     layers::{Here, Passing},
     own_way,
-    verdict::FittingQuestion,
     waits::{TakenOut, without_waits},
     words,
 };

@@ -3,7 +3,7 @@
 //! - [`ask`]: the search, asked about a changed instance;
 //! - `explanation`: the question to the service, and its answer as far as known;
 //! - [`engine`]: the order of the parts; `telling`: the first layers, told to the host;
-//! - [`verdict`]: the best other plan beside the one asked about;
+//! - [`fitting`]: a question that fits the plan; [`verdict`]: the best other plan beside the one asked about;
 //! - [`closest`]: of these, one that is close to it; [`how`]: how it differs, and who pays;
 //! - `changed`: a question after a change of the world, as one about a snapshot of the plan;
 //!   `whole` tells the answer of the whole plan;
@@ -35,6 +35,7 @@ pub(crate) mod edits;
 pub(crate) mod engine;
 mod explanation;
 mod fact_groups;
+pub(crate) mod fitting;
 pub(crate) mod group;
 pub(crate) mod group_mus;
 mod growing;

@@ -12,12 +12,12 @@ mod walks;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use giveway_model::{Condition, Costs, Plan, check::costs, sorting::sort_by_key};
+use giveway_model::{Condition, Costs, Plan, sorting::sort_by_key};
 
 use super::{
+    fitting::FittingQuestion,
     how::{AgentDifference, differences, way},
     layers::{Near, Variation, VariationKind},
-    verdict::FittingQuestion,
     words,
 };
 use crate::{Limits, budget::Budget};
@@ -84,12 +84,8 @@ impl Variations<'_> {
     /// Takes a plan where the judge passes it and it is as asked for; its costs.
     fn offer(&mut self, condition: &Condition, offer: Offer) -> Option<Costs> {
         let case = self.case;
-        let own = costs(case.instance, &offer.plan)?;
-        let in_time = case.within.is_none_or(|within| own.makespan <= within);
-        if !in_time
-            || condition.holds(case.instance, &offer.plan) != Some(true)
-            || !case.whole.check(case.instance, &offer.plan).is_empty()
-        {
+        let own = case.accepts(&offer.plan)?;
+        if condition.holds(case.instance, &offer.plan) != Some(true) {
             return None;
         }
         let vector = own.vector(case.objective());

@@ -11,8 +11,8 @@ use giveway_model::{
 
 use super::{
     ask::{Ask, best, names, walks},
+    fitting::FittingQuestion,
     lone_walk::{lone_walk, replaced},
-    verdict::FittingQuestion,
     waits,
 };
 use crate::{

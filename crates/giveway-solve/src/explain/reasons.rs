@@ -14,11 +14,11 @@ use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
     contrasted::ContrastSearch,
     fact_groups::tell_tightest,
+    fitting::FittingQuestion,
     group::Group,
     group_mus::CoreFound,
     own_way,
     repairs::{Unsolved, repairs, suspects},
-    verdict::FittingQuestion,
     words,
 };
 use crate::{Limits, budget::Budget};

@@ -8,11 +8,12 @@ use giveway_model::{Costs, check};
 use super::{
     ExplainAnswer, Part, Verdict,
     closest::closest,
+    fitting::FittingQuestion,
     here::here,
     how::{differences, how},
     near::near,
     reasons,
-    verdict::{Compared, FittingQuestion, compare, compare_all_costs},
+    verdict::{Compared, compare, compare_all_costs},
     whole::WholePlan,
     words,
 };
@@ -50,8 +51,8 @@ pub(super) fn tell_verdict(
     answer: &mut ExplainAnswer,
     telling: &Reporter,
 ) {
-    let known = answer.alternative.take().zip(answer.costs.take());
-    let compared = compare(case, known, telling.budget);
+    let near = answer.alternative.take().zip(answer.costs.take());
+    let compared = compare(case, case.cheapest_known(near), telling.budget);
     let (is_proved, closest) = (compared.reach.is_some(), compared.closest);
     case.is_open = compared.is_open;
     if case.is_open && answer.pending.contains(&Part::Closest) {

@@ -6,105 +6,19 @@ mod sooner;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use giveway_model::{
-    Condition, Cost, Costs, Instance, Objective, Plan, Question, check::cost_of, sorting::map,
-};
+use giveway_model::{Condition, Cost, Costs, Plan};
 
 use super::{
     Verdict,
-    ask::{Ask, Found, Start, any, at_most, best_from, just_below},
-    whole::WholePlan,
+    ask::{Found, Start, any, at_most, best_from, just_below},
+    fitting::FittingQuestion,
 };
 use crate::{
     Status,
     budget::Budget,
-    impose::{Unmeetable, ways},
-    problem::Relaxed,
     search::{EarlierOptima, Proved},
 };
 use sooner::{by_known_plan, by_proof_of_plan, sooner};
-
-/// A question that fits a valid plan, and what is to be known of both.
-pub(crate) struct FittingQuestion<'a> {
-    /// The instance, with the objective in which costs compare.
-    pub(crate) instance: &'a Instance,
-    pub(crate) question: &'a Question,
-    /// The plan that is asked about.
-    pub(crate) plan: &'a Plan,
-    /// Its costs.
-    pub(crate) costs: Costs,
-    /// How far it is proved that no plan is better, where it is.
-    pub(crate) optimal: Option<Proved>,
-    /// How far the verdict is proved, once it is.
-    pub(crate) shown: Option<Proved>,
-    /// Whether the verdict stands, but not yet how much the best other plan costs.
-    pub(crate) is_open: bool,
-    /// The alternatives of the contrast, one of which must hold in the other plan; an error where no agent
-    /// could do it.
-    pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
-    /// The horizon, where a person set one.
-    pub(crate) within: Option<u32>,
-    /// The plan of which the instance is the rest.
-    pub(crate) whole: WholePlan<'a>,
-}
-
-impl<'a> FittingQuestion<'a> {
-    pub(crate) fn new(
-        instance: &'a Instance,
-        question: &'a Question,
-        plan: &'a Plan,
-        costs: Costs,
-        within: Option<u32>,
-        whole: WholePlan<'a>,
-    ) -> Self {
-        let before = |agent: Option<&str>, cost| cost_of(instance, plan, agent, cost);
-        let condition = question.condition(before);
-        Self {
-            instance,
-            question,
-            plan,
-            costs,
-            optimal: None,
-            shown: None,
-            is_open: false,
-            conditions: condition.map_or(Ok(Vec::new()), |it| ways(it, instance)),
-            whole,
-            // The horizon always includes the plan at hand.
-            within: within.map(|within| within.max(costs.makespan)),
-        }
-    }
-
-    pub(crate) fn objective(&self) -> &Objective {
-        self.instance.objective()
-    }
-
-    /// The alternatives of the contrast, one of which must hold in the other plan.
-    pub(crate) fn conditions(&self) -> impl Iterator<Item = &Condition> {
-        self.conditions.iter().flatten()
-    }
-
-    /// The difference of a plan with these costs, for each cost of the objective.
-    pub(crate) fn deltas(&self, costs: &Costs) -> BTreeMap<Cost, i64> {
-        let more = |cost: Cost| i64::from(costs.get(cost)) - i64::from(self.costs.get(cost));
-        let objective = self.objective().costs().iter();
-        map(objective.map(|&cost| (cost, more(cost))))
-    }
-
-    /// Calls the search for the best in an objective with each of the conditions in turn.
-    fn each(&self, objective: &Objective, mut with: impl FnMut(&Ask)) {
-        for condition in self.conditions() {
-            with(&Ask {
-                instance: self.instance,
-                relaxed: &Relaxed::default(),
-                conditions: std::slice::from_ref(condition),
-                objective,
-                caps: &BTreeMap::new(),
-                within: self.within,
-                at_least_within: self.costs.makespan,
-            });
-        }
-    }
-}
 
 /// How the best other plan compares.
 pub(crate) struct Compared {

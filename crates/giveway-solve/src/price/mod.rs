@@ -16,5 +16,5 @@ mod tests;
 pub mod words;
 
 pub use answer::{Loosened, LooserRule, Price, PriceAnswer, RulePrice, SwitchOff};
-pub use request::PriceRequest;
+pub use request::{KnownPrices, PriceRequest};
 pub(crate) use serve::serve;

@@ -4,7 +4,8 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
-use crate::Limits;
+use super::RulePrice;
+use crate::{Limits, SolveAnswer};
 
 /// What does each rule of the scene's own that is in force cost?
 #[derive(
@@ -28,7 +29,29 @@ pub struct PriceRequest {
     /// least by which it has to ask for less so that the costs change, or there is a plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loosen: Option<u32>,
+    /// What the front that asks knows already, by answers to the same scene, objective and
+    /// horizon: it is not looked for again. Only programs of the same build hand it on; no file
+    /// has it.
+    #[serde(skip)]
+    pub known: Option<Box<KnownPrices>>,
     /// The budget for all prices together.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,
+}
+
+/// What is known of prices before they are asked for.
+#[derive(Clone, Debug, Default, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct KnownPrices {
+    /// The answer with all rules, where its plan is proved best.
+    pub with: Option<SolveAnswer>,
+    /// Prices of an earlier answer. Those that are exact stay; of the others the search goes on
+    /// with the plan.
+    pub prices: Vec<RulePrice>,
+}
+
+impl KnownPrices {
+    /// The price of a rule, by its number in the scene.
+    pub(super) fn price(&self, rule: usize) -> Option<&RulePrice> {
+        self.prices.iter().find(|it| it.index as usize == rule)
+    }
 }

@@ -2,7 +2,9 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Costs, Fault, Instance, Objective, Version, sorting::map};
+use giveway_model::{
+    Cost, Costs, Fault, Instance, Objective, Plan, Version, check::check, sorting::map,
+};
 
 use super::{
     Price, PriceAnswer, PriceRequest, RulePrice, SwitchOff,
@@ -47,15 +49,30 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
             return Err(Refusal::Request { fault });
         }
     }
-    let parts = if rules.is_empty() { 1 } else { PARTS };
+    let known = request.known.as_deref();
+    let exact = |&rule: &usize| {
+        let price = known.and_then(|known| known.price(rule));
+        price.filter(|price| price.exact).cloned()
+    };
+    let open = |rules: &[usize]| rules.iter().filter(|rule| exact(rule).is_none()).count() as u32;
+    let parts = if open(&rules) == 0 { 1 } else { PARTS };
     let pricing = Pricing {
         instance: &instance,
         within: request.within,
         budget: &budget,
     };
-    let all = pricing.solve(&instance, request.start.as_ref(), parts);
+    let best = known.and_then(|known| known.with.as_ref());
+    let all = match best.filter(|best| pricing.is_best(best)) {
+        Some(best) => Solved {
+            answer: best.clone(),
+            reach: None,
+            clash: Vec::new(),
+        },
+        None => pricing.solve(&instance, request.start.as_ref(), parts),
+    };
     let mut answer = begun(&all, objective);
-    answer.prices = rules.iter().map(|&rule| pricing.unpriced(rule)).collect();
+    let unpriced = |rule: &usize| exact(rule).unwrap_or_else(|| pricing.unpriced(*rule));
+    answer.prices = rules.iter().map(unpriced).collect();
     answer.pending = rules.len() as u32;
     let tell = |answer: &mut PriceAnswer| {
         answer.words = words::all(answer, &instance);
@@ -67,12 +84,16 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
     };
     tell(&mut answer);
     for (place, &rule) in rules.iter().enumerate() {
-        if budget.check().is_err() {
-            break;
-        }
-        let left = (rules.len() - place) as u32;
-        answer.prices[place] = pricing.price(rule, &all.answer, left);
         answer.pending -= 1;
+        if exact(&rule).is_none() {
+            if budget.check().is_err() {
+                answer.pending += 1;
+                break;
+            }
+            let from = known.and_then(|known| known.price(rule)?.plan.as_ref());
+            let side = pricing.price(rule, &all.answer, from, open(&rules[place..]));
+            answer.prices[place] = side;
+        }
         if request.loosen.is_some() {
             let price = &answer.prices[place];
             answer.loosened = Some(loosen(&pricing, rule, &all.answer, price));
@@ -130,12 +151,7 @@ pub(super) struct Pricing<'a, 'h> {
 impl Pricing<'_, '_> {
     /// The best plan of a variant, with one of so many equal parts of what is left of the
     /// budget.
-    pub(super) fn solve(
-        &self,
-        instance: &Instance,
-        start: Option<&giveway_model::Plan>,
-        parts: u32,
-    ) -> Solved {
+    pub(super) fn solve(&self, instance: &Instance, start: Option<&Plan>, parts: u32) -> Solved {
         let limits = Limits {
             seconds: self.budget.seconds_left().map(|it| it / f64::from(parts)),
             work: self.budget.work_left().map(|work| work / u64::from(parts)),
@@ -153,6 +169,13 @@ impl Pricing<'_, '_> {
         let solved = solve::solve(&task);
         self.budget.absorb(&budget);
         solved
+    }
+
+    /// Whether an answer that is handed on has a plan that is proved best, with its costs.
+    fn is_best(&self, answer: &SolveAnswer) -> bool {
+        let report = answer.plan.as_ref().map(|plan| check(self.instance, plan));
+        let costs = report.filter(|it| it.is_valid()).and_then(|it| it.costs);
+        answer.status == Status::Optimal && costs.is_some() && costs == answer.costs
     }
 
     /// A rule whose price is not known yet.
@@ -173,13 +196,15 @@ impl Pricing<'_, '_> {
     }
 
     /// The price of a rule: the best plan without it beside the best with it.
-    fn price(&self, rule: usize, with: &SolveAnswer, parts: u32) -> RulePrice {
+    ///
+    /// The search begins with a plan without it that is known, else with the plan that keeps all
+    /// rules: it keeps the others, too.
+    fn price(&self, rule: usize, with: &SolveAnswer, from: Option<&Plan>, parts: u32) -> RulePrice {
         let mut instance = self.instance.clone();
         instance.switch_off(|other| other == rule);
-        // What keeps all rules keeps the others, too.
         let Solved {
             answer: without, ..
-        } = self.solve(&instance, with.plan.as_ref(), parts);
+        } = self.solve(&instance, from.or(with.plan.as_ref()), parts);
         let mut price = self.unpriced(rule);
         let objective = self.instance.objective();
         (price.price, price.exact) = compared(objective, with, &without);

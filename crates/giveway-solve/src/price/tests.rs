@@ -1,5 +1,7 @@
 //! Prices of small scenes, and which rules exclude each other.
 
+mod known;
+
 use giveway_model::{Cost, Scene, format::native};
 
 use super::{Loosened, Price, PriceAnswer, PriceRequest, serve};

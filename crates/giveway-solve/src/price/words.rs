@@ -26,14 +26,24 @@ pub fn tag(objective: &Objective, price: &RulePrice) -> String {
         Price::Decides => tr!("a price" => "no plan with it").to_owned(),
         Price::None => tr!("a price" => "no plan without it, either").to_owned(),
         Price::Unknown => {
-            let first = objective.costs().first();
             let least = price.at_least.filter(|&least| least > 0);
-            match first.zip(least) {
-                Some((&cost, least)) => tr!(
+            match (objective.costs().first(), least, price.at_most) {
+                (None, _, _) | (_, None, None) => tr!("a price" => "not known").to_owned(),
+                (Some(&cost), Some(least), Some(most)) if least < most && cost != Cost::Penalty => {
+                    tr!(
+                        "a price" => "costs {least} to {amount}",
+                        least,
+                        amount = amount(cost, most)
+                    )
+                }
+                (Some(&cost), Some(least), _) => tr!(
                     "a price" => "costs at least {amount}",
                     amount = amount(cost, least)
                 ),
-                None => tr!("a price" => "not known").to_owned(),
+                (Some(&cost), None, Some(most)) => tr!(
+                    "a price" => "costs at most {amount}",
+                    amount = amount(cost, most)
+                ),
             }
         }
     }

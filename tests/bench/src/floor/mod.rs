@@ -240,6 +240,7 @@ fn ask(
         objective: None,
         within: None,
         proved,
+        known: None,
         layers: vec![Layer::Here, Layer::Near, Layer::Reason],
         limits: limits(limit),
     });

@@ -7,6 +7,7 @@ mod could;
 mod groups;
 mod heading;
 mod late;
+mod missing;
 mod parts;
 mod pays;
 mod pieces;
@@ -32,11 +33,13 @@ pub use could::CouldRow;
 pub(crate) use could::{instead, other_name};
 pub(crate) use groups::numbers_groups;
 pub use groups::{GroupMark, GroupRow};
+pub use missing::Missing;
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
 pub use pieces::Piece;
 
 use coming::coming;
 use could::could;
+use missing::missing;
 use pays::pays;
 use verdict::verdict;
 
@@ -62,6 +65,7 @@ pub fn card(state: &State) -> Option<Card> {
         cores: Vec::new(),
         repairs: Vec::new(),
         more_repairs: None,
+        missing: Vec::new(),
         holds_places: layers(asking.question()).contains(&Layer::Near),
         coming: None,
         standing: None,
@@ -106,6 +110,7 @@ pub fn card(state: &State) -> Option<Card> {
     if !state.is_looking() {
         card.standing = reach(told.reach);
     }
+    card.missing = missing(state, asking, told, &card);
     card.coming = coming(state, asking, &card);
     Some(card)
 }

@@ -4,6 +4,7 @@ use super::CostRow;
 use super::coming::Coming;
 use super::could::CouldRow;
 use super::groups::GroupRow;
+use super::missing::Missing;
 use super::pieces::Piece;
 use crate::beside::DifferenceRow;
 
@@ -32,6 +33,8 @@ pub struct Card {
     pub cores: Vec<Facts>,
     /// What would help.
     pub repairs: Vec<Offered>,
+    /// Parts that were not found, though the search is over.
+    pub missing: Vec<Missing>,
     /// How many more would help, in words.
     pub more_repairs: Option<String>,
     /// Whether it comes in layers: what stands keeps its place.

@@ -7,6 +7,7 @@ use giveway_model::{Question, tr_data};
 use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
+use super::tightened;
 use crate::front::has_front;
 use crate::problems::Problem;
 use crate::reduce::{ask, change, inside, stroke};
@@ -140,9 +141,11 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
     state.work.start(Task::Solve(Solving {
         draft: Rc::clone(&document.draft),
         request: Rc::new(request),
-        bounds: from
-            .as_ref()
-            .map_or_else(BTreeMap::new, |from| from.solved.bounds.clone()),
+        bounds: match &from {
+            Some(from) => from.solved.bounds.clone(),
+            None if goes_on && audit.is_none() => tightened::bounds(document),
+            None => BTreeMap::new(),
+        },
         best: from.as_ref().and_then(|from| from.solved.costs),
         plan: None,
         preview: None,

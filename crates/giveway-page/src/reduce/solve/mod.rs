@@ -4,6 +4,7 @@ mod answered;
 mod begin;
 mod known;
 mod preview;
+mod tightened;
 
 use super::{area, ask, fleet, floor_plan, grow, inside, planners, proof};
 use crate::{Document, SolveAction, Solving, State, Task};

@@ -21,6 +21,14 @@ fn a_goal_in_a_zone_that_is_closed_for_ever_is_said_at_once() {
         shown.details,
         ["A2 has its goal in zone 1, so no plan can keep this rule."]
     );
+    // The others can: that is one press away.
+    let offer = card(&write(closed.clone())).unwrap().offers[0].clone();
+    assert_eq!(offer.sentence, "The same for all robots but A2");
+    let robots = ["A1", "A3"].map(str::to_owned);
+    assert_eq!(offer.rule.agents.as_deref(), Some(&robots[..]));
+    let some = card(&write(offer.rule)).unwrap();
+    assert_ne!(some.judged.ruling, Ruling::Never);
+    assert_ne!(some.offers[0].sentence, offer.sentence);
     // Closed for a while, it can be kept.
     let until = Value::When(Times {
         from: None,
@@ -42,6 +50,8 @@ fn starts_count_only_from_the_first_time_on() {
         shown.details,
         ["A1 and A2 start in zone 1, so no plan can keep this rule."]
     );
+    let offer = card(&state).unwrap().offers[0].sentence.clone();
+    assert_eq!(offer, "The same for all robots but A1 and A2");
     let later = Value::When(Times {
         from: Some(4),
         to: None,

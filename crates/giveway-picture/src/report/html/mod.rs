@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use giveway_model::tr;
 
-use super::{Question, Report, Sign};
+use super::{Proved, Question, Report, Sign};
 use crate::xml::Escaped;
 
 /// How the report looks, on a screen and on paper.
@@ -45,10 +45,9 @@ impl Report {
         }
         html.push_str("</div><p class=\"brand\">Giveway</p></header>\n");
         let known = &self.known;
-        let class = if known.is_proved {
-            "claim proved"
-        } else {
-            "claim"
+        let class = match known.proved {
+            Proved::OfAll | Proved::OfThese => "claim proved",
+            Proved::No => "claim",
         };
         let _ = write!(
             html,
@@ -56,8 +55,8 @@ impl Report {
             Escaped(&known.claim),
             Escaped(&self.costs_told)
         );
-        for remark in &known.remarks {
-            let _ = write!(html, " {}", Escaped(remark));
+        for sentence in self.objective.iter().chain(&known.remarks) {
+            let _ = write!(html, " {}", Escaped(sentence));
         }
         let _ = write!(html, "</p></section>\n<figure>{}<figcaption>", self.map);
         for sign in &self.signs {
@@ -68,7 +67,11 @@ impl Report {
                 Escaped(sign.told())
             );
         }
-        html.push_str("</figcaption></figure>\n");
+        let _ = writeln!(
+            html,
+            "</figcaption><p class=\"note\">{}</p></figure>",
+            Escaped(&self.conventions.join(" "))
+        );
     }
 
     fn who_is_last(&self, html: &mut String) {

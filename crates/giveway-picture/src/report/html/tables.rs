@@ -3,7 +3,7 @@
 use std::fmt::{Display, Write as _};
 
 use giveway_model::words::{duration, grouped};
-use giveway_model::{Cost, tr};
+use giveway_model::{Cell, Cost, tr};
 
 use super::heading;
 use crate::report::{CostRow, Report, RobotRow};
@@ -94,6 +94,9 @@ impl Report {
             heads.extend([(tr!("an arrival" => "Alone"), N), (tr!("Delay"), N)]);
         }
         heads.push((tr!("Waits"), N));
+        if alone {
+            heads.push((tr!("a robot" => "Lets pass"), "wide"));
+        }
         begin(html, "report-robots", &heads);
         for row in &self.robots {
             let _ = write!(html, "<tr><th scope=\"row\">{}</th>", Escaped(&row.name));
@@ -122,26 +125,31 @@ impl Report {
                 let time = row.arrives.and_then(|time| duration(self.units, time));
                 cell(html, N, &time.unwrap_or_default());
             }
-            let some = |n: u32| if n == 0 { String::new() } else { n.to_string() };
+            let lone = row.alone.as_ref();
             if alone {
                 let number = |n: Option<u32>| n.map(|n| n.to_string()).unwrap_or_default();
-                cell(html, N, &number(row.alone.map(|(time, _)| time)));
-                let delay = row.alone.map(|(_, delay)| some(delay));
-                cell(html, N, &delay.unwrap_or_default());
+                cell(html, N, &number(lone.map(|lone| lone.alone)));
+                cell(html, N, &number(lone.map(|lone| lone.delay)));
             }
-            cell(html, N, &some(row.waits));
+            cell(html, N, &row.waits);
+            if alone {
+                let passes = lone.map_or("", |lone| &lone.passes);
+                cell(html, "wide", &Escaped(passes));
+            }
             html.push_str("</tr>\n");
         }
         end(html);
         if alone {
             let note = if self.changes.is_empty() {
-                tr!("Alone: when the robot would arrive if no other robot were there.")
+                tr!(
+                    "Alone: when the robot would arrive if no other robot were there. Lets pass: for whom it loses the steps of its delay, in equal parts."
+                )
             } else {
                 tr!(
-                    "Alone: when the robot would arrive if no other robot were there from the last change on."
+                    "Alone: when the robot would arrive if no other robot were there from the last change on. Lets pass: for whom it loses the steps of its delay, in equal parts."
                 )
             };
-            let _ = writeln!(html, "<p class=\"note\">{}</p>", Escaped(note));
+            self::note(html, note);
         }
     }
 
@@ -162,7 +170,7 @@ impl Report {
             (tr!("where, and when"), ""),
             (tr!("At the goal"), N),
             (tr!("Charges"), N),
-            (tr!("Charges at"), N),
+            (tr!("Charges at"), "wide"),
         ];
         begin(html, "report-batteries", &heads);
         for (row, battery) in with_battery() {
@@ -170,19 +178,19 @@ impl Report {
             cell(html, N, &battery.capacity);
             cell(html, N, &battery.initial);
             cell(html, N, &format!("<b>{}</b>", battery.least));
-            let least_at = battery.least_at.map(|(at, time)| {
-                let at = format!("{}, {}", at.x, at.y);
-                tr!("{cell} at {time}", cell = at, time)
-            });
+            let least_at = battery.least_at.as_ref().map(visit);
             cell(html, "", &least_at.unwrap_or_default());
             let at_goal = battery.at_goal.map(|level| level.to_string());
             cell(html, N, &at_goal.unwrap_or_default());
             cell(html, N, &row.charges.len());
-            let times: Vec<String> = row.charges.iter().map(u32::to_string).collect();
-            cell(html, N, &times.join(", "));
+            let charges: Vec<String> = row.charges.iter().map(visit).collect();
+            cell(html, "wide", &charges.join("; "));
             html.push_str("</tr>\n");
         }
         end(html);
+        if let Some(rule) = &self.battery_rule {
+            note(html, rule);
+        }
     }
 
     pub(super) fn busiest_table(&self, html: &mut String) {
@@ -203,8 +211,7 @@ impl Report {
             cell(html, "", &format!("{}, {}", busy.cell.x, busy.cell.y));
             cell(html, N, &format!("<b>{}</b>", busy.passes));
             cell(html, N, &busy.robots);
-            let waits = (busy.waits > 0).then(|| busy.waits.to_string());
-            cell(html, N, &waits.unwrap_or_default());
+            cell(html, N, &busy.waits);
             html.push_str("</tr>\n");
         }
         end(html);
@@ -228,15 +235,22 @@ fn title(cost: Cost) -> &'static str {
 
 /// Waypoints with the times of their visits: `10, 5 at 56; 20, 5 at 66`.
 fn visits(row: &RobotRow) -> String {
-    let visit = |(cell, time): &(giveway_model::Cell, Option<u32>)| {
-        let cell = format!("{}, {}", cell.x, cell.y);
-        match time {
-            Some(time) => tr!("{cell} at {time}", cell, time),
-            None => tr!("{cell} never", cell),
-        }
-    };
-    let visits: Vec<String> = row.waypoints.iter().map(visit).collect();
+    let visits = row.waypoints.iter().map(|&(cell, time)| match time {
+        Some(time) => visit(&(cell, time)),
+        None => tr!("{cell} never", cell = format!("{}, {}", cell.x, cell.y)),
+    });
+    let visits: Vec<String> = visits.collect();
     visits.join("; ")
+}
+
+/// A cell with the time at which a robot is there: `20, 5 at 66`.
+fn visit((cell, time): &(Cell, u32)) -> String {
+    let cell = format!("{}, {}", cell.x, cell.y);
+    tr!("{cell} at {time}", cell, time)
+}
+
+fn note(html: &mut String, text: &str) {
+    let _ = writeln!(html, "<p class=\"note\">{}</p>", Escaped(text));
 }
 
 /// A table with its heads, which stand on each page anew.

@@ -11,6 +11,7 @@ fn lone(robot: &str, alone: u32, delay: u32) -> LoneDelay {
         robot: robot.to_owned(),
         alone,
         delay,
+        passes: "somebody".to_owned(),
         why: format!("{robot} lets somebody pass."),
     }
 }
@@ -39,8 +40,9 @@ fn the_last_robot_is_told_with_its_way_alone() {
             "A2 waits 1 step at (3, 1) from 0 on."
         ]
     );
-    let alone: Vec<_> = known.robots.iter().map(|row| row.alone).collect();
-    assert_eq!(alone, [Some((4, 0)), Some((5, 1))]);
+    let alone = known.robots.iter().map(|row| row.alone.as_ref().unwrap());
+    let alone: Vec<_> = alone.map(|lone| (lone.alone, lone.delay)).collect();
+    assert_eq!(alone, [(4, 0), (5, 1)]);
     let html = known.html();
     assert!(
         html.contains("<li>Alone, A2 would arrive at 5.</li>"),

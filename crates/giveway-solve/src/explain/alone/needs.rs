@@ -11,9 +11,9 @@ use crate::{
     explain::{
         ask::{Ask, best},
         causes::Refuted,
+        fitting::FittingQuestion,
         growing::only,
         unsolvable::further_search,
-        verdict::FittingQuestion,
     },
     impose::bearer,
     problem::Relaxed,

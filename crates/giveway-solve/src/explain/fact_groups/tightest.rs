@@ -3,7 +3,7 @@
 use giveway_model::{Cell, check::levels, tr};
 
 use super::FactGroupKind;
-use crate::explain::{answer::Core, answer::FactKind, verdict::FittingQuestion};
+use crate::explain::{answer::Core, answer::FactKind, fitting::FittingQuestion};
 
 /// The lowest level of a battery in a plan, when and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

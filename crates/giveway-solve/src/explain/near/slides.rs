@@ -4,8 +4,8 @@ use giveway_model::{Cell, Condition, Path, Plan};
 
 use super::{Offer, Variations};
 use crate::explain::{
+    fitting::FittingQuestion,
     layers::VariationKind,
-    verdict::FittingQuestion,
     waits::{TakenOut, without_waits},
 };
 

@@ -15,10 +15,10 @@ use crate::{
         ask::Found,
         causes::{Refuted, find_causes, find_prices, mark_causes},
         contrasted::ContrastSearch,
+        fitting::FittingQuestion,
         group_mus::{CoreFound, Tried, group_mus, group_mus_of_agents},
         growing::{Extending, ForcingSet, MOST_AGENTS, smallest_set},
         unsolvable::{self, AnyPlan},
-        verdict::FittingQuestion,
     },
     search::Proved,
 };

@@ -25,6 +25,7 @@ pub(super) fn asked(
         objective: Some(objective.parse::<Objective>().unwrap()),
         within,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits {
             conflicts: Some(30_000),

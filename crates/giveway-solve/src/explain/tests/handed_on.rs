@@ -65,6 +65,7 @@ fn a_proof_that_is_handed_on_changes_no_verdict() {
                     objective: None,
                     within: None,
                     proved,
+                    known: None,
                     layers: layers.to_vec(),
                     limits: Limits::default(),
                 });
@@ -124,6 +125,7 @@ fn a_verdict_that_is_told_early_stays() {
                 objective: None,
                 within: None,
                 proved,
+                known: None,
                 layers: vec![Layer::Reason],
                 limits: Limits::default(),
             });
@@ -182,6 +184,7 @@ fn a_known_plan_is_enough_where_the_plan_is_not_proved_best() {
                 objective: None,
                 within: None,
                 proved: None,
+                known: None,
                 layers: vec![Layer::Near, Layer::Whole],
                 limits: Limits::default(),
             });
@@ -216,4 +219,67 @@ fn a_known_plan_is_enough_where_the_plan_is_not_proved_best() {
         }
     }
     assert!(improvable > 0, "{needless} {improvable}");
+}
+
+/// A plan that was found before bounds the other plan where the search has no work left; one that
+/// is not as asked for, or breaks a rule, changes nothing.
+#[test]
+fn a_plan_that_was_found_before_is_known() {
+    let (mut bounded, mut refused) = (0, 0);
+    for seed in 0..30 {
+        let instance = random(seed, 2 + (seed % 3) as usize);
+        let solve = Request::Solve(SolveRequest {
+            scene: instance.to_scene(),
+            ..SolveRequest::default()
+        });
+        let Response::Solved(solved) = serve(&solve, &SilentHost) else {
+            panic!("{seed}");
+        };
+        let Some(plan) = solved.plan else {
+            continue;
+        };
+        for question in questions(&instance, &plan).into_iter().take(8) {
+            let ask = |known: Option<&Plan>, work| {
+                let request = Request::Explain(ExplainRequest {
+                    scene: instance.to_scene(),
+                    plan: Some(plan.clone()),
+                    question: question.clone(),
+                    changes: None,
+                    at: None,
+                    objective: None,
+                    within: None,
+                    proved: None,
+                    known: known.cloned(),
+                    layers: vec![Layer::Whole],
+                    limits: Limits {
+                        work,
+                        ..Limits::default()
+                    },
+                });
+                match serve(&request, &SilentHost) {
+                    Response::Explained(answer) => *answer,
+                    other => panic!("{other:?}"),
+                }
+            };
+            let best = ask(None, None);
+            let unknown = ask(None, Some(1));
+            if unknown.verdict != Verdict::Unknown {
+                continue;
+            }
+            if let Some(other) = &best.alternative {
+                let told = ask(Some(other), Some(1));
+                let name = format!("{seed} {question:?}");
+                assert_eq!(told.costs, best.costs, "{name}");
+                assert_eq!(told.deltas, best.deltas, "{name}");
+                bounded += u32::from(unknown.costs != best.costs);
+            }
+            let empty = Plan::default();
+            for wrong in [&plan, &empty] {
+                let told = ask(Some(wrong), Some(1));
+                assert_eq!(told.costs, unknown.costs, "{seed} {question:?}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(bounded > 10 && refused > 20, "{bounded} {refused}");
 }

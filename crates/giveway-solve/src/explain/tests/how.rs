@@ -20,6 +20,7 @@ fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

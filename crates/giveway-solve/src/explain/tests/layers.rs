@@ -49,6 +49,7 @@ fn explain(
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: layers.to_vec(),
         limits: Limits {
             conflicts: Some(20_000),

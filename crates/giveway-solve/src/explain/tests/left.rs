@@ -14,8 +14,8 @@ use crate::{
         ExplainAnswer, ExplainRequest, Fact, FactGroup, GroupMark, Helps, Layer, Verdict,
         ask::{Ask, best},
         facts_claim,
+        fitting::FittingQuestion,
         group::{Group, groups, without},
-        verdict::FittingQuestion,
         whole::WholePlan,
     },
     serve,
@@ -66,6 +66,7 @@ fn explained(
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: vec![Layer::Reason],
         limits: Limits::default(),
     });
@@ -222,6 +223,7 @@ fn repairs_are_found_without_a_small_reason() {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: vec![Layer::Help],
         limits: Limits::default(),
     });

@@ -20,6 +20,7 @@ fn explained(scene: &str, question: Question, within: Option<u32>) -> Response {
             objective: None,
             within,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: Limits::default(),
         }),

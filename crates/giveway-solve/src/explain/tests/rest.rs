@@ -62,6 +62,7 @@ impl Course {
             objective: None,
             within: None,
             proved: None,
+            known: None,
             layers: Vec::new(),
             limits: crate::Limits::default(),
         }

@@ -28,6 +28,7 @@ fn asked(map: &str, agents: &str, rule: &str, paths: &str) -> ExplainAnswer {
         objective: None,
         within: None,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

@@ -53,6 +53,7 @@ pub(super) fn why(instance: &Instance, within: Option<u32>) -> ExplainAnswer {
         objective: None,
         within,
         proved: None,
+        known: None,
         layers: Vec::new(),
         limits: Limits::default(),
     });

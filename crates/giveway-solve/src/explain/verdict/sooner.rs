@@ -6,7 +6,8 @@ use std::rc::Rc;
 
 use giveway_model::{Costs, Objective, Plan, check::costs};
 
-use super::{Compared, FittingQuestion, asks_for_less_of_first_cost, cheaper, settled};
+use super::super::fitting::FittingQuestion;
+use super::{Compared, asks_for_less_of_first_cost, cheaper, settled};
 use crate::{
     Limits,
     budget::Budget,

@@ -7,8 +7,8 @@ use super::{
     violations::{passing_first, would},
 };
 use crate::explain::{
-    AgentDifference, ExplainAnswer, Here, Near, Variation, VariationKind, layers::MOST_NAMED,
-    verdict::FittingQuestion,
+    AgentDifference, ExplainAnswer, Here, Near, Variation, VariationKind, fitting::FittingQuestion,
+    layers::MOST_NAMED,
 };
 
 /// The answer in words as long as it has no verdict.

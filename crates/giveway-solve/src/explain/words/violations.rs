@@ -45,9 +45,10 @@ pub(crate) fn would(agent: &str, violations: &[&Violation], instance: Option<&In
             phrases.push(phrase(agent, violation, instance));
         }
     }
-    let more = phrases.len().saturating_sub(MOST);
-    if more > 0 {
+    if phrases.len() > MOST {
         phrases.truncate(MOST);
+        // As many as a list of all has beside these.
+        let more = violations.len() - MOST;
         phrases.push(tr!("a robot would" => "run into {n} more problem" | "run into {n} more problems" % more));
     }
     and(&phrases)
@@ -171,7 +172,7 @@ mod tests {
         assert_eq!(
             told(Some(&here)),
             "meet A5 at (1, 1) at time 3, meet A9 at (1, 1) at time 4, meet A7 at (1, 1) at time 1 \
-             and run into 1 more problem"
+             and run into 2 more problems"
         );
         assert!(!told(None).contains("A9"), "so it would be left out");
     }

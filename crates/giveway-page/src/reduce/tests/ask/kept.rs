@@ -1,6 +1,7 @@
 //! What stays of an answer: a better plan after the question, numbers on both boards, and steps
 //! that are done.
 
+use giveway_model::Question;
 use giveway_solve::Status;
 use giveway_solve::explain::{
     Core, ExplainAnswer, Fact, FactGroup, FactGroupKind, FactKind, Helps, Part,
@@ -31,6 +32,11 @@ fn a_better_plan_stays_at_hand_when_the_question_is_left() {
     );
     let said = "A question found a better plan: makespan 17, sum of costs 35, 3 charges.";
     assert_eq!(found_better(&state).as_deref(), Some(said));
+    // The next question about the same plan knows it.
+    let next = after(&state, [Action::Ask(AskAction::Ask(Question::Makespan))]);
+    let request = &next.document.mode.asking().unwrap().request;
+    let better = state.found_better().unwrap();
+    assert_eq!(request.known.as_ref(), better.plan());
     let taken = after(&state, [Action::Ask(AskAction::TakeFound)]);
     let now = taken.document.answer.clone().unwrap();
     assert_eq!(now.solved.costs.unwrap().makespan, 17);

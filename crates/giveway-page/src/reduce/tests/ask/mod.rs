@@ -1,6 +1,7 @@
 //! Questions: asked, answered bit by bit, left, and what is taken from them.
 
 mod kept;
+mod missing;
 mod names;
 mod nearby;
 mod pays;

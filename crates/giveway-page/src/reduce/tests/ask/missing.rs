@@ -1,0 +1,81 @@
+//! Parts of an answer that were not found: it is said, and not left out.
+
+use giveway_model::Cost;
+use giveway_solve::explain::{Part, SubsetBound, Verdict};
+
+use super::pays::card_of;
+use super::{asked, hear, told};
+use crate::ask::card;
+
+/// The titles with their sentences.
+fn missing(card: &crate::ask::Card) -> Vec<(&'static str, Vec<&str>)> {
+    let parts = card.missing.iter();
+    parts
+        .map(|part| {
+            let sentences = part.sentences.iter().map(String::as_str);
+            (part.title, sentences.collect())
+        })
+        .collect()
+}
+
+#[test]
+fn without_a_small_reason_it_is_told_what_robots_alone_need() {
+    let card = card_of(|answer| {
+        answer.verdict = Verdict::Costly;
+        (answer.core, answer.repairs) = (None, Vec::new());
+        answer.exhaustive = false;
+        answer.alone = vec![SubsetBound {
+            agents: vec!["A2".to_owned()],
+            cost: Cost::Makespan,
+            own: 17,
+            least: 17,
+            here: 18,
+        }];
+    });
+    assert_eq!(
+        missing(&card),
+        [
+            (
+                "Because of",
+                vec!["No small reason was found yet.", "A2 alone needs 17 steps."]
+            ),
+            ("What would help", vec!["Nothing was found that helps."])
+        ]
+    );
+}
+
+#[test]
+fn it_is_told_whether_all_was_tried() {
+    let told_of = |exhaustive, pending: Vec<Part>| {
+        let card = card_of(|answer| {
+            answer.verdict = Verdict::Necessary;
+            answer.repairs = Vec::new();
+            (answer.exhaustive, answer.pending) = (exhaustive, pending);
+        });
+        let of_help = missing(&card).into_iter();
+        let mut of_help = of_help.filter(|(title, _)| *title == "What would help");
+        of_help.next().unwrap().1[0].to_owned()
+    };
+    assert_eq!(
+        told_of(true, Vec::new()),
+        "No change of one or two things in the scene helps."
+    );
+    assert_eq!(
+        told_of(false, vec![Part::Repairs]),
+        "The search ended before this was looked for."
+    );
+}
+
+#[test]
+fn nothing_is_missing_where_nothing_is_needed_or_the_search_goes_on() {
+    let needless = card_of(|answer| {
+        answer.verdict = Verdict::Needless;
+        (answer.core, answer.repairs) = (None, Vec::new());
+    });
+    assert_eq!(needless.missing, []);
+    let state = asked();
+    let mut answer = told(&state);
+    (answer.core, answer.repairs) = (None, Vec::new());
+    let looking = card(&hear(&state, answer)).unwrap();
+    assert_eq!(looking.missing, [], "it may come yet");
+}

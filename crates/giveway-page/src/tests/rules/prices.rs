@@ -1,0 +1,86 @@
+//! Prices that time left open: they say how much is known, and go on from there.
+
+use giveway_solve::price::{Price, PriceRequest};
+use giveway_solve::{Request, Response, SilentHost, serve};
+
+use super::{act, marked, solved};
+use crate::reduce::tests::after;
+use crate::rules::{RuleAction, list};
+use crate::{Action, State, WorkerAction};
+
+/// What is asked for with the number of its job.
+fn asked(state: &State) -> (u64, PriceRequest) {
+    match state.work.request() {
+        Some((job, Request::Price(request))) => (job, request),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The answer to a request that may do so much work.
+fn answered_with(state: &State, work: Option<u64>) -> State {
+    let (job, mut request) = asked(state);
+    request.limits.work = work;
+    let response = serve(&Request::Price(request), &SilentHost);
+    assert!(matches!(response, Response::Priced(_)));
+    let response = Box::new(response);
+    after(
+        state,
+        [Action::Worker(WorkerAction::Respond { job, response })],
+    )
+}
+
+fn texts(state: &State) -> Vec<String> {
+    let rows = list(state).unwrap().rows.into_iter();
+    rows.filter_map(|row| Some(row.price?.text)).collect()
+}
+
+#[test]
+fn prices_that_are_left_open_go_on() {
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let asking = after(&added, [act(RuleAction::Price)]);
+    let (_, first) = asked(&asking);
+    let known = first.known.unwrap();
+    assert!(known.with.is_some(), "the plan on the board is proved");
+    assert!(known.prices.is_empty());
+
+    let open = answered_with(&asking, Some(1));
+    let why = list(&open).unwrap().left_open.unwrap();
+    assert_eq!(why, "30 seconds were not enough to prove every price.");
+    assert_eq!(texts(&open).len(), 2);
+
+    let again = after(&open, [act(RuleAction::Price)]);
+    assert_eq!(list(&again).unwrap().left_open, None);
+    let (_, second) = asked(&again);
+    assert_eq!(second.known.unwrap().prices.len(), 2);
+    let priced = answered_with(&again, None);
+    assert_eq!(
+        texts(&priced),
+        ["costs nothing", "costs 2 steps of the makespan"]
+    );
+    assert_eq!(list(&priced).unwrap().left_open, None);
+}
+
+#[test]
+fn what_is_proved_of_a_price_stays_while_the_others_are_asked_for() {
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let priced = answered_with(&after(&added, [act(RuleAction::Price)]), None);
+    // As if the first had been left open.
+    let mut half = priced;
+    let prices = half.view.rules.prices.as_mut().unwrap();
+    let told = std::rc::Rc::make_mut(prices).told.as_mut().unwrap();
+    let first = &mut std::rc::Rc::make_mut(told).prices[0];
+    (first.price, first.exact) = (Price::Unknown, false);
+    (first.at_least, first.at_most) = (Some(1), Some(4));
+    assert_eq!(
+        texts(&half),
+        [
+            "costs 1 to 4 steps of the makespan",
+            "costs 2 steps of the makespan"
+        ]
+    );
+    let again = after(&half, [act(RuleAction::Price)]);
+    assert_eq!(list(&again).unwrap().asking, Some((1, 2)));
+    assert_eq!(texts(&again)[1], "costs 2 steps of the makespan");
+    let priced = answered_with(&again, None);
+    assert_eq!(texts(&priced)[0], "costs nothing");
+}
