@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { BOTH, flows } from "./flow.mjs";
+import { flows } from "./flow.mjs";
 import { ByKeys, ByTouch, LESSONS } from "./learner.mjs";
 
 /** Walks through a lesson; who is careful tries something wrong first. */
@@ -30,7 +30,7 @@ describe("a lesson by the keyboard alone", () => {
   const flow = flows();
   for (const lesson of LESSONS) {
     const walks = (playground) => walk(new ByKeys(playground), lesson, !playground.isPhone());
-    flow(lesson.lesson.title, walks, { screens: BOTH });
+    flow(lesson.lesson.title, walks);
   }
 });
 

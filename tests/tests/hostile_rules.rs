@@ -31,7 +31,7 @@ use giveway_solve::{
 use serde_json::{Value, json};
 
 /// The limit of each request, in seconds.
-const SECONDS: f64 = 0.5;
+const SECONDS: f64 = 0.2;
 /// How many seconds longer than its limit a request may take in the dev profile, on a machine
 /// that is three times as slow at times: what does not end at all is found.
 const GRACE: f64 = 15.0;

@@ -158,7 +158,7 @@ fn compare_conflict(text: &str, answer: &PriceAnswer, what: &str) -> Option<()> 
 #[test]
 fn prices_are_differences_of_two_optima() {
     let mut seen = [0; 5];
-    for number in 0..scenes(300) {
+    for number in 0..scenes(150) {
         let kind = |step: u64| KINDS[((number + number / 14 * step) % 14) as usize];
         let kinds = [kind(1), kind(3), kind(5)];
         let kinds = &kinds[..=(number as usize % 3)];

@@ -104,7 +104,7 @@ fn one_less(edit: &Edit, instance: &Instance) -> Option<Edit> {
 #[test]
 fn questions_about_rules_have_the_verdict_of_the_oracle() {
     let mut seen = std::collections::BTreeMap::new();
-    for number in 0..scenes(300) {
+    for number in 0..scenes(150) {
         // Rules that cost only are not asked about.
         let kinds = [
             KINDS[number as usize % 14],
@@ -167,7 +167,7 @@ fn questions_about_rules_have_the_verdict_of_the_oracle() {
 #[test]
 fn without_a_plan_rules_are_facts_and_repairs() {
     let (mut facts, mut repairs) = (0, 0);
-    for number in 0..scenes(300) {
+    for number in 0..scenes(150) {
         let kinds = [
             KINDS[number as usize % 14],
             KINDS[number as usize / 14 % 14],

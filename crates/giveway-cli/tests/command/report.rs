@@ -174,7 +174,7 @@ fn changes_are_part_of_the_report() {
     );
     let robots = rows(&run.out, "report-robots");
     // Alone it would be broken down, too.
-    assert_eq!(robots[0], ["R1", "0, 0", "3, 0", "5", "5", "", "2"]);
+    assert_eq!(robots[0], ["R1", "0, 0", "3, 0", "5", "5", "0", "2", ""]);
     assert!(
         run.out
             .contains("R1 is broken down at (1, 0) between 1 and 3.")
