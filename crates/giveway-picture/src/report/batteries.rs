@@ -11,11 +11,11 @@ pub(super) fn rule(subject: &Subject<'_>) -> Option<String> {
     robots.find(|robot| robot.agent.battery.is_some())?;
     Some(match subject.instance.rules().battery_floor {
         0 => tr!(
-            "A battery loses 1 with each step until its robot arrives. A charge fills it and takes no time of its own."
+            "A battery loses 1 with each step until its robot arrives. A charge takes no time of its own: at the next step the battery is full."
         )
         .to_owned(),
         floor => tr!(
-            "A battery loses 1 with each step until its robot arrives, and may not fall below {floor}. A charge fills it and takes no time of its own.",
+            "A battery loses 1 with each step until its robot arrives, and may not fall below {floor}. A charge takes no time of its own: at the next step the battery is full.",
             floor
         ),
     })

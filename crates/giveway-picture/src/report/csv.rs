@@ -59,7 +59,7 @@ impl Report {
             tr!("Level at the goal"),
         ]);
         if has_alone {
-            heads.push(tr!("a robot" => "Lets pass"));
+            heads.push(tr!("Because of"));
         }
         let heads = heads.into_iter().map(csv::text).collect();
         let rows = self.robots.iter().map(|row| {

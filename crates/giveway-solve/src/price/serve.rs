@@ -174,7 +174,9 @@ impl Pricing<'_, '_> {
     /// Whether an answer that is handed on has a plan that is proved best, with its costs.
     fn is_best(&self, answer: &SolveAnswer) -> bool {
         let report = answer.plan.as_ref().map(|plan| check(self.instance, plan));
-        let costs = report.filter(|it| it.is_valid()).and_then(|it| it.costs);
+        let costs = report
+            .filter(giveway_model::check::Report::is_valid)
+            .and_then(|it| it.costs);
         answer.status == Status::Optimal && costs.is_some() && costs == answer.costs
     }
 

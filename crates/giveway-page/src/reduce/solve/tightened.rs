@@ -13,7 +13,7 @@ pub(super) fn bounds(document: &Document) -> BTreeMap<Cost, u32> {
     let first = document.draft.scene().objective.costs().first();
     let known = document.answer.as_deref().filter(|answer| {
         let reach = answer.proved_here();
-        let is_complete = reach.is_some_and(|reach| reach.is_complete());
+        let is_complete = reach.is_some_and(giveway_solve::Reach::is_complete);
         is_complete && only_adds_rules(answer, document.draft.scene())
     });
     let least = known.and_then(|answer| {

@@ -95,7 +95,7 @@ impl Report {
         }
         heads.push((tr!("Waits"), N));
         if alone {
-            heads.push((tr!("a robot" => "Lets pass"), "wide"));
+            heads.push((tr!("Because of"), "wide"));
         }
         begin(html, "report-robots", &heads);
         for row in &self.robots {
@@ -142,11 +142,11 @@ impl Report {
         if alone {
             let note = if self.changes.is_empty() {
                 tr!(
-                    "Alone: when the robot would arrive if no other robot were there. Lets pass: for whom it loses the steps of its delay, in equal parts."
+                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there. Because of: who or what is in its way then, each for an equal part of the delay."
                 )
             } else {
                 tr!(
-                    "Alone: when the robot would arrive if no other robot were there from the last change on. Lets pass: for whom it loses the steps of its delay, in equal parts."
+                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there from the last change on. Because of: who or what is in its way then, each for an equal part of the delay."
                 )
             };
             self::note(html, note);
