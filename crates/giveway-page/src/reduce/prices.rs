@@ -28,6 +28,7 @@ pub(super) fn price(state: &mut State) {
     });
     state.view.rules.prices = Some(Rc::new(Pricing {
         draft: Rc::clone(&draft),
+        within: state.document.within,
         told,
     }));
     state.work.start(Task::Price(draft, Rc::new(request)));

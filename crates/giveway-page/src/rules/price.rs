@@ -15,6 +15,8 @@ use crate::{Answer, Draft, State, Task};
 pub(crate) struct Pricing {
     /// The scene whose rules they are.
     pub(crate) draft: Rc<Draft>,
+    /// The horizon within which they were asked for.
+    pub(crate) within: Option<u32>,
     /// What was answered so far.
     pub(crate) told: Option<Rc<PriceAnswer>>,
 }
@@ -56,7 +58,9 @@ pub(crate) fn request(state: &State) -> PriceRequest {
 /// What earlier answers about the scene on the board say.
 fn known_prices(state: &State) -> KnownPrices {
     let answer = state.document.fresh_answer();
-    let proved = answer.filter(|answer| answer.proved_here().is_some());
+    let within = state.document.within;
+    let proved =
+        answer.filter(|answer| answer.request.within == within && answer.proved_here().is_some());
     let told = state.prices().and_then(|prices| prices.told.as_deref());
     KnownPrices {
         with: proved.map(|answer| SolveAnswer {
@@ -143,7 +147,10 @@ impl State {
     pub(crate) fn prices(&self) -> Option<&Pricing> {
         let prices = self.view.rules.prices.as_deref();
         let draft = &self.document.draft;
-        prices.filter(|prices| Rc::ptr_eq(&prices.draft, draft) || prices.draft == *draft)
+        prices.filter(|prices| {
+            let is_same = Rc::ptr_eq(&prices.draft, draft) || prices.draft == *draft;
+            is_same && prices.within == self.document.within
+        })
     }
 }
 

@@ -6,7 +6,7 @@ use giveway_solve::{Request, Response, SilentHost, serve};
 use super::{act, marked, solved};
 use crate::reduce::tests::after;
 use crate::rules::{RuleAction, list};
-use crate::{Action, State, WorkerAction};
+use crate::{Action, Edit, State, WorkerAction};
 
 /// What is asked for with the number of its job.
 fn asked(state: &State) -> (u64, PriceRequest) {
@@ -83,4 +83,19 @@ fn what_is_proved_of_a_price_stays_while_the_others_are_asked_for() {
     assert_eq!(texts(&again)[1], "costs 2 steps of the makespan");
     let priced = answered_with(&again, None);
     assert_eq!(texts(&priced)[0], "costs nothing");
+}
+
+#[test]
+fn prices_within_another_horizon_are_other_prices() {
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let priced = answered_with(&after(&added, [act(RuleAction::Price)]), None);
+    assert_eq!(texts(&priced).len(), 2);
+    let bounded = after(&priced, [Action::Edit(Edit::Within(Some(12)))]);
+    assert_eq!(texts(&bounded), [""; 0], "they were asked for any horizon");
+    let (_, request) = asked(&after(&bounded, [act(RuleAction::Price)]));
+    assert_eq!(request.within, Some(12));
+    let known = request.known.unwrap();
+    assert!(known.with.is_none() && known.prices.is_empty());
+    let back = after(&bounded, [Action::Undo]);
+    assert_eq!(texts(&back).len(), 2);
 }
