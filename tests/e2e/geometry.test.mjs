@@ -285,7 +285,7 @@ function scene(name, map, agent) {
   return { name: `${name}.json`, bytes: Buffer.from(text) };
 }
 
-/** All that is wrong with a state, on whichever screens; pictures of it are left. */
+/** All that is wrong with a state, on whichever screens; where all is run, pictures of it are left. */
 async function everywhere(playground, name, tabs, screens) {
   const { page } = playground;
   const found = new Map();
@@ -299,7 +299,9 @@ async function everywhere(playground, name, tabs, screens) {
       if (tab) {
         await list.filter({ hasText: tab }).evaluate((button) => button.click());
       }
-      for (const [f, font] of FONTS.entries()) {
+      // The page's own font on each screen, and in turn a narrower or a wider one.
+      const fonts = FONTS.filter((_, f) => isLong || f === 0 || f === 1 + (s + t) % 2);
+      for (const [f, font] of fonts.entries()) {
         await put(page, font);
         for (const theme of isLong ? THEMES : [THEMES[(s + t + f) % THEMES.length]]) {
           await page.emulateMedia({ colorScheme: theme });
@@ -307,7 +309,7 @@ async function everywhere(playground, name, tabs, screens) {
           for (const line of await geometry(page, { touch: isTouch(screen) })) {
             found.set(line, [...found.get(line) ?? [], where]);
           }
-          if (font.name === "own") {
+          if (isLong && font.name === "own") {
             const file = [name, tab, `${width}x${height}`, theme].filter(Boolean).join("-").replaceAll(" ", "-").toLowerCase();
             await page.screenshot({ path: join(PICTURES, `${file}.jpg`), type: "jpeg", quality: 85 });
           }

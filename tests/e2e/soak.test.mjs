@@ -18,7 +18,7 @@ import { elsewhere } from "./soak/tabs.mjs";
 import { looking } from "./soak/view.mjs";
 
 /** Actions in all, divided among the seeds. */
-const ACTIONS = Number(process.env.GIVEWAY_SOAK ?? 60);
+const ACTIONS = Number(process.env.GIVEWAY_SOAK ?? 40);
 /** How many seeds, a sitting each. */
 const SEEDS = Number(process.env.GIVEWAY_SOAK_SEEDS ?? 5);
 /** The first of them. */

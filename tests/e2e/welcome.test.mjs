@@ -245,7 +245,7 @@ describe("the tour", () => {
     await playground.key("Enter");
     await course.contents.waitFor();
     await tour.isOver();
-  }, { screens: BOTH });
+  });
 
   flow("leaves one's own work as it was, and gives the focus back", async (playground, { page }) => {
     const tour = new Tour(playground);
