@@ -20,8 +20,8 @@ const WAITING = 120_000;
 const PROGRAMS = ["app", "solver"];
 /** From how many bytes on a function is listed by its own name. */
 const LARGE = 80;
-/** A copy of a function, by a number that every build gives anew: it cannot be listed. */
-const NUMBERED = /\.\d+$/;
+/** The number of one of several copies of a function, which every build gives anew. */
+const COPY = /\.\d+$/;
 /** The paths of the project's crates in the name of a function, those that giveway-bind finds, too. */
 const PATHS = /(?<![\p{L}\p{N}_])giveway_[\p{L}\p{N}_:]+/gu;
 
@@ -130,7 +130,13 @@ function later(functions) {
     const before = names.get(name) ?? { bytes: 0, ran: false };
     names.set(name, { bytes: Math.max(bytes, before.bytes), ran: ran || before.ran });
   }
-  const isAlone = (name) => !NUMBERED.test(name) && ![...pathsOf(name)].some((path) => isListed.has(path));
+  // Which of its copies a name means may be another one in the next build.
+  const copies = new Map();
+  for (const { name } of functions) {
+    const of = name.replace(COPY, "");
+    copies.set(of, (copies.get(of) ?? 0) + 1);
+  }
+  const isAlone = (name) => copies.get(name.replace(COPY, "")) === 1 && ![...pathsOf(name)].some((path) => isListed.has(path));
   const alone = [...names].filter(([name, { bytes, ran }]) => !ran && bytes >= LARGE && isAlone(name));
   return [...listed.sort(), ...alone.map(([name]) => `= ${name}`).sort()];
 }
