@@ -22,7 +22,7 @@ async function start() {
   // Not earlier: on a slow network the two would share it, and the page come later.
   const solver = nearlyRead(response.clone(), application.dataset.bytes).then(() => preload(named("solver")), () => undefined);
   const [{ default: init, prepare, later }, module] = await Promise.all([import(application.href), compile(response)]);
-  if (navigator.serviceWorker?.controller) {
+  if (isKept()) {
     // There may be no network, and what the page was left with may need all of it at once.
     await prepare?.().catch(() => undefined);
   }
@@ -30,6 +30,15 @@ async function start() {
   await solver;
   // What the first minute does not need; where it cannot be had, the page asks for it again once it needs it.
   await later?.().catch(() => undefined);
+}
+
+function isKept() {
+  try {
+    return Boolean(navigator.serviceWorker?.controller);
+  } catch {
+    // A sandbox has no service workers.
+    return false;
+  }
 }
 
 async function compile(response) {
