@@ -22,13 +22,16 @@ export function isThere(path) {
  */
 export async function start(path, args, ready, env = {}) {
   const child = spawn(path, args, { env: { ...process.env, ...env }, stdio: ["ignore", "pipe", "pipe"] });
-  const ended = new Promise((resolve) => child.once("close", resolve));
+  const ended = new Promise((resolve) => child.once("exit", resolve).once("error", resolve));
   const end = async () => {
     child.kill();
     // One that does not heed is not waited for.
     const hard = setTimeout(() => child.kill("SIGKILL"), 5000);
     await ended;
     clearTimeout(hard);
+    // Programs that it has started may outlive it, and hold these open.
+    child.stdout.destroy();
+    child.stderr.destroy();
   };
   let text = "";
   let timer;

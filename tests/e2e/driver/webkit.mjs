@@ -11,6 +11,9 @@ const DISPLAY = "/usr/bin/Xvfb";
 /** Where Debian puts the browser, for each processor and version. */
 const LIBRARIES = "/usr/lib";
 
+/** How long a command may take, in milliseconds: less than a flow, so that the flow tells which it was. */
+const PATIENCE = 60_000;
+
 const browser = process.env.GIVEWAY_MINIBROWSER ?? miniBrowser();
 
 function miniBrowser() {
@@ -115,7 +118,11 @@ class Window {
 async function send(method, address, body, waits = false) {
   for (let tries = 0; ; tries += 1) {
     try {
-      const response = await fetch(address, { method, body: body && JSON.stringify(body) });
+      const response = await fetch(address, {
+        method,
+        body: body && JSON.stringify(body),
+        signal: AbortSignal.timeout(PATIENCE),
+      });
       const { value } = await response.json();
       if (!response.ok) {
         throw new Error(`${method} ${address}: ${value.error}: ${value.message}`);
