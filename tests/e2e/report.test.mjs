@@ -70,10 +70,12 @@ describe("the report", () => {
     await page.locator("dialog .report").getByRole("heading", { name: "Who is last, and why" }).waitFor();
     const html = await saved(page, language, () => page.getByRole("button", { name: language.html }).click());
     const command = readFileSync(sample("report/warehouse.html"), "utf8");
-    // The command knows no address of a page.
+    // The command knows neither the day nor an address of a page.
+    const date = /(<p class="brand">Giveway<\/p>)<p>([^<]*)<\/p>/;
+    assert.ok(html.match(date)[2].includes(String(new Date().getFullYear())), "the day on which it is made");
     const link = /<p class="report-link">[^]*?<\/p>\n/;
     assert.match(html.match(link)[0], /<a href="http[^"]*#giveway=1&amp;check=/);
-    assert.equal(await articleOf(page, html.replace(link, "")), await articleOf(page, command));
+    assert.equal(await articleOf(page, html.replace(link, "").replace(date, "$1")), await articleOf(page, command));
     await page.getByRole("button", { name: language.close }).last().click();
   }, { screens: ["desktop"] });
 });
@@ -117,9 +119,10 @@ async function saved(page, _, act) {
 /** The texts of each table, row by row. */
 function rows(sheet) {
   return sheet.evaluate((sheet) => {
-    const table = (name) => [...sheet.querySelectorAll(`.report-${name} tbody tr`)].map((row) => [...row.children].map((cell) => cell.textContent));
+    const table = (name) => [...sheet.querySelectorAll(`.report-${name} tbody:not(.total) tr`)].map((row) => [...row.children].map((cell) => cell.textContent));
     const heads = (name) => [...sheet.querySelectorAll(`.report-${name} thead tr > *`)].map((cell) => cell.textContent);
-    return { costs: table("costs"), robots: table("robots"), busiest: table("busiest"), heads: heads("robots"), text: sheet.textContent };
+    const total = [...sheet.querySelectorAll(".report-robots .total td")].map((cell) => cell.textContent);
+    return { total, costs: table("costs"), robots: table("robots"), busiest: table("busiest"), heads: heads("robots"), text: sheet.textContent };
   });
 }
 
@@ -136,6 +139,9 @@ function figures(told, { paths, charges = {} }, robots, language) {
     sum(arrivals),
     sum(Object.values(charges).map((times) => times.length)),
   ];
+  const [, arrived, ...others] = told.total;
+  assert.equal(number(arrived), sum(arrivals), "the sum of arrivals");
+  assert.equal(number(others.filter(Boolean).at(-1)), sum(Object.values(paths).map(waits)), "the sum of waits");
   assert.deepEqual(told.costs.slice(0, 3).map(([, value]) => number(value)), expected);
   const arrives = told.heads.length - 1 - [...told.heads].reverse().findIndex((head) => /^(Arrives|Ankunft|Kommt an)/.test(head));
   for (const row of told.robots) {
@@ -190,7 +196,7 @@ async function onPaper(page) {
       clipped: all.filter((element) => element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).overflowX !== "visible").map(brief),
       beyond: all.filter((element) => element.getBoundingClientRect().right > innerWidth + 1).map(brief),
       breaks: trs.filter((row) => getComputedStyle(row).breakInside !== "avoid").map(brief),
-      rows: document.querySelectorAll(".paper-report .report-robots tbody tr").length,
+      rows: document.querySelectorAll(".paper-report .report-robots tbody:not(.total) tr").length,
     };
   });
   await page.emulateMedia({ media: null });

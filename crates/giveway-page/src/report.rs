@@ -17,12 +17,21 @@ use crate::files::Saved;
 use crate::words::change::method;
 use crate::{Answer, State, files, inspect, words};
 
-/// The report of the plan, with the address of the page that has it in it; `None` where there is
-/// no plan of the scene as it is.
-pub fn report(state: &State, address: Option<String>) -> Option<Report> {
+/// Where and when a report is made.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Imprint {
+    /// The address of the page with the plan in it.
+    pub address: Option<String>,
+    /// The day, as the reader writes it.
+    pub date: Option<String>,
+}
+
+/// The report of the plan; `None` where there is no plan of the scene as it is.
+pub fn report(state: &State, imprint: Imprint) -> Option<Report> {
     with(state, |subject, answer| {
         let known = Known {
-            link: address,
+            link: imprint.address,
+            date: imprint.date,
             ..known(state, answer)
         };
         Report::of(subject, known)
@@ -35,10 +44,10 @@ pub fn is_coming(state: &State) -> bool {
 }
 
 /// The report as a page of HTML, in a language.
-pub fn report_file(state: &State, address: Option<String>, language: &str) -> Option<Saved> {
+pub fn report_file(state: &State, imprint: Imprint, language: &str) -> Option<Saved> {
     Some(Saved {
         name: files::name_of(state, "report.html"),
-        text: report(state, address)?.page(language),
+        text: report(state, imprint)?.page(language),
     })
 }
 
@@ -54,7 +63,7 @@ pub fn plan_csv_file(state: &State) -> Option<Saved> {
 pub fn arrivals_csv_file(state: &State) -> Option<Saved> {
     Some(Saved {
         name: files::name_of(state, "arrivals.csv"),
-        text: report(state, None)?.csv(),
+        text: report(state, Imprint::default())?.csv(),
     })
 }
 
@@ -96,7 +105,7 @@ fn known(state: &State, answer: &Answer) -> Known {
             .collect(),
         questions: questions::asked(state, answer),
         delays: delays(state),
-        link: None,
+        ..Known::default()
     }
 }
 
@@ -122,7 +131,7 @@ mod tests {
     #[test]
     fn the_figures_are_those_of_the_plan() {
         let state = sample::solved();
-        let report = report(&state, None).unwrap();
+        let report = report(&state, Imprint::default()).unwrap();
         let answer = state.document.answer.as_ref().unwrap();
         let costs = answer.solved.costs.unwrap();
         assert_eq!(report.costs.len(), 5);
@@ -148,9 +157,9 @@ mod tests {
     #[test]
     fn without_a_plan_there_is_no_report() {
         let state = State::new(sample::draft());
-        assert_eq!(report(&state, None), None);
+        assert_eq!(report(&state, Imprint::default()), None);
         assert_eq!(plan_csv_file(&state), None);
-        assert_eq!(report_file(&state, None, "en"), None);
+        assert_eq!(report_file(&state, Imprint::default(), "en"), None);
     }
 
     #[test]
@@ -158,7 +167,11 @@ mod tests {
         let state = sample::solved();
         let link = |length: usize| {
             let address = format!("https://example.org/#{}", "a".repeat(length));
-            let html = report(&state, Some(address.clone())).unwrap().html();
+            let imprint = Imprint {
+                address: Some(address.clone()),
+                ..Imprint::default()
+            };
+            let html = report(&state, imprint).unwrap().html();
             html.matches(&address).count()
         };
         assert_eq!(link(100), 2, "its address and its text");
@@ -169,7 +182,7 @@ mod tests {
     fn files_have_the_name_of_the_scene() {
         let state = sample::solved();
         let names = [
-            report_file(&state, None, "en").unwrap().name,
+            report_file(&state, Imprint::default(), "en").unwrap().name,
             plan_csv_file(&state).unwrap().name,
             arrivals_csv_file(&state).unwrap().name,
         ];

@@ -3,6 +3,7 @@
 use giveway_model::tr;
 use giveway_page::files::Saved;
 use giveway_page::report;
+use wasm_bindgen::JsValue;
 use yew::prelude::*;
 
 use super::frame::Frame;
@@ -41,7 +42,7 @@ pub(crate) fn Report(props: &ReportProps) -> Html {
         <Frame title={tr!("Report")} on_close={on_close.clone()}>
             <div class="report-tools" role="toolbar" aria-label={tr!("Report")}>
                 { button("file", tr!("Print, or save as PDF"), Callback::from(print)) }
-                { button("save", tr!("Save the report (HTML)"), Callback::from(save(|state| report::report_file(state, Some(keep::address_of_plan(state)), language::spoken())))) }
+                { button("save", tr!("Save the report (HTML)"), Callback::from(save(|state| report::report_file(state, imprint(state), language::spoken())))) }
                 { button("save", tr!("Save the plan (CSV)"), Callback::from(save(|state| report::plan_csv_file(state)))) }
                 { button("save", tr!("Save the arrivals (CSV)"), Callback::from(save(|state| report::arrivals_csv_file(state)))) }
             </div>
@@ -53,7 +54,16 @@ pub(crate) fn Report(props: &ReportProps) -> Html {
 
 /// The report itself. Names in it cannot be markup: `Report::html` escapes them.
 pub(crate) fn sheet(state: &Shown) -> Html {
-    let html =
-        report::report(state, Some(keep::address_of_plan(state))).map(|report| report.html());
+    let html = report::report(state, imprint(state)).map(|report| report.html());
     Html::from_html_unchecked(html.unwrap_or_default().into())
+}
+
+/// Where and when the report is made.
+fn imprint(state: &Shown) -> report::Imprint {
+    let today = js_sys::Date::new_0();
+    let date = today.to_locale_date_string(language::spoken(), &JsValue::UNDEFINED);
+    report::Imprint {
+        address: Some(keep::address_of_plan(state)),
+        date: Some(date.into()),
+    }
 }

@@ -23,7 +23,7 @@ Tables are for spreadsheets: UTF-8, commas between cells, and no name in them is
 formula.
 
 Examples
-  giveway report warehouse.json -o report.html
+  giveway report warehouse.json -o report.html --date 2026-11-30
   giveway report warehouse.json warehouse.plan.json -o report.html --csv plan.csv --robots robots.csv
   giveway report depot.json adopted.plan.json --changes changes.json > report.html")]
 pub(crate) struct Report {
@@ -49,6 +49,9 @@ pub(crate) struct Report {
     /// most 2000 characters [default: where the page is published, if it is]
     #[arg(long, value_name = "URL")]
     pub(crate) address: Option<Address>,
+    /// Print this date beside the title, as it is written here [default: none]
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) date: Option<String>,
     /// Write a table, too: where each robot is at each time, and the level of its battery
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,

@@ -52,6 +52,7 @@ pub(crate) fn run(args: &Args, common: &Common, clock: Clock) -> Result<Exit, Fa
             (plan, known, exit)
         }
     };
+    known.date.clone_from(&args.date);
     if let Exit::Answered = exit {
         known.delays = asker.delays(&plan, changes.as_ref());
         if changes.is_none() {

@@ -22,6 +22,7 @@ fn rows(html: &str, table: &str) -> Vec<Vec<String>> {
     let body = table.and_then(|table| table.split("</table>").next());
     let body = body
         .and_then(|table| table.split("<tbody>").nth(1))
+        .and_then(|rows| rows.split("</tbody>").next())
         .unwrap();
     let text = |cell: &str| {
         let mut inside = false;

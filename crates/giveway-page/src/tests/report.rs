@@ -7,13 +7,13 @@ use super::ledger::corridor;
 use super::{answered, saying};
 use crate::ledger::{LedgerAction, column};
 use crate::reduce::tests::after;
-use crate::report::{is_coming, report};
+use crate::report::{Imprint, is_coming, report};
 use crate::{Action, AskAction, Edit, Phase, SolveAction, State};
 
 const ADD_UP: Action = Action::Ledger(LedgerAction::AddUp);
 
 fn told(state: &State) -> giveway_picture::report::Report {
-    report(state, None).unwrap()
+    report(state, Imprint::default()).unwrap()
 }
 
 /// A question is asked, answered and closed.

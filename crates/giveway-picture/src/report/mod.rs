@@ -43,6 +43,8 @@ pub struct Known {
     pub delays: Vec<LoneDelay>,
     /// The address that opens the plan on the page, where it is short enough.
     pub link: Option<String>,
+    /// The day on which the report is made, as it is printed.
+    pub date: Option<String>,
 }
 
 /// Whether a plan is proved best, and among which plans.

@@ -138,6 +138,24 @@ fn names_are_neither_markup_nor_formulas() {
 }
 
 #[test]
+fn columns_are_summed_and_the_day_is_told() {
+    let html = report(Known {
+        date: Some("30 <Nov>".to_owned()),
+        ..Known::default()
+    });
+    let html = html.html();
+    let (_, total) = html.split_once("<tbody class=\"total\">").unwrap();
+    let (total, _) = total.split_once("</tbody>").unwrap();
+    // 4 and 6 steps; each robot waits once.
+    assert_eq!(
+        total,
+        "<tr><th scope=\"row\">Sum</th><td colspan=\"3\"></td><td class=\"n\">10</td><td></td><td class=\"n\">2</td></tr>\n"
+    );
+    assert!(html.contains("<p class=\"brand\">Giveway</p><p>30 &lt;Nov&gt;</p>"));
+    assert!(!report(Known::default()).html().contains("</p><p>30"));
+}
+
+#[test]
 fn the_page_is_well_formed_and_tells_every_row() {
     let told = report(Known::default());
     let html = told.html();

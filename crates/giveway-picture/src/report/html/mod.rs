@@ -1,5 +1,6 @@
 //! A report as HTML: the part that a page shows and prints, and a page of its own.
 
+mod robots;
 mod tables;
 
 use std::fmt::Write as _;
@@ -43,8 +44,12 @@ impl Report {
         for fact in &self.facts {
             let _ = write!(html, "<p>{}</p>", Escaped(fact));
         }
-        html.push_str("</div><p class=\"brand\">Giveway</p></header>\n");
         let known = &self.known;
+        html.push_str("</div><div class=\"made\"><p class=\"brand\">Giveway</p>");
+        if let Some(date) = &known.date {
+            let _ = write!(html, "<p>{}</p>", Escaped(date));
+        }
+        html.push_str("</div></header>\n");
         let class = match known.proved {
             Proved::OfAll | Proved::OfThese => "claim proved",
             Proved::No => "claim",

@@ -1,12 +1,12 @@
-//! The tables of a report.
+//! The tables of a report but for that of the robots.
 
 use std::fmt::{Display, Write as _};
 
-use giveway_model::words::{duration, grouped};
+use giveway_model::words::grouped;
 use giveway_model::{Cell, Cost, tr};
 
 use super::heading;
-use crate::report::{CostRow, Report, RobotRow};
+use crate::report::{CostRow, Report};
 use crate::xml::Escaped;
 
 impl Report {
@@ -75,84 +75,6 @@ impl Report {
         end(html);
     }
 
-    pub(super) fn robots_table(&self, html: &mut String) {
-        heading(html, tr!("Robots"));
-        let has = |is: fn(&RobotRow) -> bool| self.robots.iter().any(is);
-        let (waypoints, alone) = (
-            has(|row| !row.waypoints.is_empty()),
-            has(|row| row.alone.is_some()),
-        );
-        let mut heads = vec![(tr!("Robot"), ""), (tr!("Start"), "")];
-        if waypoints {
-            heads.push((tr!("Waypoints, with their times"), "wide"));
-        }
-        heads.extend([(tr!("Goal"), ""), (tr!("Arrives"), N)]);
-        if self.units.is_some() {
-            heads.push((tr!("after"), N));
-        }
-        if alone {
-            heads.extend([(tr!("an arrival" => "Alone"), N), (tr!("Delay"), N)]);
-        }
-        heads.push((tr!("Waits"), N));
-        if alone {
-            heads.push((tr!("Because of"), "wide"));
-        }
-        begin(html, "report-robots", &heads);
-        for row in &self.robots {
-            let _ = write!(html, "<tr><th scope=\"row\">{}</th>", Escaped(&row.name));
-            let start = format!("{}, {}", row.start.x, row.start.y);
-            let start = match row.begins {
-                0 => start,
-                time => tr!("{cell} at {time}", cell = start, time),
-            };
-            cell(html, "", &start);
-            if waypoints {
-                cell(html, "wide", &visits(row));
-            }
-            let goal = row.goal.map(|goal| format!("{}, {}", goal.x, goal.y));
-            cell(
-                html,
-                "",
-                &goal.unwrap_or_else(|| tr!("anywhere").to_owned()),
-            );
-            let arrives = match (row.arrives, row.removed) {
-                (Some(time), _) => time.to_string(),
-                (None, Some(time)) => tr!("removed at {time}", time),
-                (None, None) => "\u{2013}".to_owned(),
-            };
-            cell(html, N, &format!("<b>{}</b>", Escaped(&arrives)));
-            if self.units.is_some() {
-                let time = row.arrives.and_then(|time| duration(self.units, time));
-                cell(html, N, &time.unwrap_or_default());
-            }
-            let lone = row.alone.as_ref();
-            if alone {
-                let number = |n: Option<u32>| n.map(|n| n.to_string()).unwrap_or_default();
-                cell(html, N, &number(lone.map(|lone| lone.alone)));
-                cell(html, N, &number(lone.map(|lone| lone.delay)));
-            }
-            cell(html, N, &row.waits);
-            if alone {
-                let passes = lone.map_or("", |lone| &lone.passes);
-                cell(html, "wide", &Escaped(passes));
-            }
-            html.push_str("</tr>\n");
-        }
-        end(html);
-        if alone {
-            let note = if self.changes.is_empty() {
-                tr!(
-                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there. Because of: who or what is in its way then, each for an equal part of the delay."
-                )
-            } else {
-                tr!(
-                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there from the last change on. Because of: who or what is in its way then, each for an equal part of the delay."
-                )
-            };
-            self::note(html, note);
-        }
-    }
-
     pub(super) fn batteries_table(&self, html: &mut String) {
         let with_battery = || {
             let rows = self.robots.iter();
@@ -219,7 +141,7 @@ impl Report {
 }
 
 /// The class of numbers.
-const N: &str = "n";
+pub(super) const N: &str = "n";
 
 /// What a cost is called.
 fn title(cost: Cost) -> &'static str {
@@ -233,28 +155,18 @@ fn title(cost: Cost) -> &'static str {
     }
 }
 
-/// Waypoints with the times of their visits: `10, 5 at 56; 20, 5 at 66`.
-fn visits(row: &RobotRow) -> String {
-    let visits = row.waypoints.iter().map(|&(cell, time)| match time {
-        Some(time) => visit(&(cell, time)),
-        None => tr!("{cell} never", cell = format!("{}, {}", cell.x, cell.y)),
-    });
-    let visits: Vec<String> = visits.collect();
-    visits.join("; ")
-}
-
 /// A cell with the time at which a robot is there: `20, 5 at 66`.
-fn visit((cell, time): &(Cell, u32)) -> String {
+pub(super) fn visit((cell, time): &(Cell, u32)) -> String {
     let cell = format!("{}, {}", cell.x, cell.y);
     tr!("{cell} at {time}", cell, time)
 }
 
-fn note(html: &mut String, text: &str) {
+pub(super) fn note(html: &mut String, text: &str) {
     let _ = writeln!(html, "<p class=\"note\">{}</p>", Escaped(text));
 }
 
 /// A table with its heads, which stand on each page anew.
-fn begin(html: &mut String, class: &str, heads: &[(&str, &str)]) {
+pub(super) fn begin(html: &mut String, class: &str, heads: &[(&str, &str)]) {
     let _ = write!(html, "<table class=\"{class}\"><thead><tr>");
     for (head, class) in heads {
         if head.is_empty() {
@@ -271,11 +183,11 @@ fn begin(html: &mut String, class: &str, heads: &[(&str, &str)]) {
     html.push_str("</tr></thead>\n<tbody>\n");
 }
 
-fn end(html: &mut String) {
+pub(super) fn end(html: &mut String) {
     html.push_str("</tbody></table>\n");
 }
 
-fn cell(html: &mut String, class: &str, text: &dyn Display) {
+pub(super) fn cell(html: &mut String, class: &str, text: &dyn Display) {
     let _ = write!(html, "<td{}>{text}</td>", of(class));
 }
 
