@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 use giveway_page::rules::{
-    Lit, LooserPart, LooserRow, Piece, ProblemRule, Row, RuleAction, Tag, list,
+    CostsOfRule, Lit, LooserPart, LooserRow, Piece, ProblemRule, Row, RuleAction, Tag, list,
 };
 use giveway_page::{Action, Selection, State};
 use yew::prelude::*;
@@ -159,12 +159,12 @@ fn tag(price: &Tag) -> Html {
 /// What an open row tells, and what can be done to its rule.
 fn open(row: &Row, send: &Callback<Action>) -> Html {
     let index = row.index;
-    let without = row.price.as_ref().and_then(|price| price.without.clone());
+    let costs = row.price.as_ref().filter(|price| !price.costs.is_empty());
     let worth = row.price.as_ref().and_then(|price| price.worth.clone());
     let worth = worth.unwrap_or_else(|| tr!("Show that plan beside").to_owned());
     html! {
         <div class="rule-more">
-            if let Some(without) = without { <p>{ without }</p> }
+            { for costs.map(|price| costs_of(&price.costs)) }
             if row.price.as_ref().is_some_and(|price| price.has_plan) {
                 { button("compare", worth, Some(row.is_beside), {
                     let beside = row.is_beside;
@@ -176,6 +176,24 @@ fn open(row: &Row, send: &Callback<Action>) -> Html {
             if !row.is_on { { button("question", tr!("What would it cost?"), None, act(send, move || RuleAction::AskAbout(index))) } }
             { button("erase", tr!("Remove"), None, act(send, move || RuleAction::Remove(index))) }
         </div>
+    }
+}
+
+/// What the best plan costs with a rule and without it.
+fn costs_of(costs: &[CostsOfRule]) -> Html {
+    let row = |cost: &CostsOfRule| {
+        let with = cost.with.map_or_else(String::new, |with| with.to_string());
+        html! {
+            <tr class={(cost.with == Some(cost.without)).then_some("same")}>
+                <th scope="row">{ cost.title }</th><td>{ with }</td><td>{ cost.without }</td>
+            </tr>
+        }
+    };
+    html! {
+        <table class="rule-costs">
+            <thead><tr><td></td><th scope="col">{ tr!("a rule" => "with it") }</th><th scope="col">{ tr!("a rule" => "without it") }</th></tr></thead>
+            <tbody>{ for costs.iter().map(row) }</tbody>
+        </table>
     }
 }
 

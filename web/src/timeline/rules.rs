@@ -13,6 +13,8 @@ use crate::inspector::show_rules;
 const LINE: f64 = 22.0;
 const BAR: f64 = 18.0;
 const LETTER: f64 = 6.6;
+/// Half the width of a burst, in pixels.
+const BURST: f64 = 9.0;
 /// The fewest letters that tell something of a name.
 const LEAST: usize = 5;
 
@@ -76,7 +78,9 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
     // It covers the columns of both its ends.
     let left = f64::from(of.from) * axis.column;
     let width = f64::from(of.to + 1 - of.from) * axis.column;
-    let fits = ((width - 12.0) / LETTER).max(0.0);
+    let (begin, end) = gap(of, left, width, axis);
+    let middle = f64::midpoint(begin, end);
+    let fits = ((end - begin - 12.0) / LETTER).max(0.0);
     let room = giveway_page::timeline::whole(fits) as usize;
     // What has no room is cut off: what is seen is a part of the name, or nothing.
     let text: String = if of.text.chars().count() > room && room < LEAST {
@@ -104,10 +108,28 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
             onmouseenter={send.reform(move |_| light(true))} onmouseleave={send.reform(move |_| light(false))}>
             { bar("base") }{ bar("hatch") }
             if !text.is_empty() {
-                <rect class="plate" x={(width / 2.0 - plate / 2.0).to_string()} y="4" width={plate.to_string()} height="14" rx="3" />
-                <text x={(width / 2.0).to_string()} y="15" text-anchor="middle">{ text }</text>
+                <rect class="plate" x={(middle - plate / 2.0).to_string()} y="4" width={plate.to_string()} height="14" rx="3" />
+                <text x={middle.to_string()} y="15" text-anchor="middle">{ text }</text>
             }
             { for of.broken.iter().map(burst) }
         </g>
     }
+}
+
+/// Where the name of a stretch has most room: between two bursts, or between one and an end, in
+/// pixels from the left.
+fn gap(of: &Stretch, left: f64, width: f64, axis: Axis) -> (f64, f64) {
+    let mut widest = (0.0, 0.0);
+    let mut begin = 0.0;
+    let bursts = of.broken.iter().map(|&time| {
+        let x = axis.x(f64::from(time)) - left;
+        (x - BURST, x + BURST)
+    });
+    for (end, next) in bursts.chain([(width, width)]) {
+        if end - begin > widest.1 - widest.0 {
+            widest = (begin, end);
+        }
+        begin = next;
+    }
+    widest
 }

@@ -20,7 +20,8 @@ pub(super) fn price(state: &mut State) {
     let request = request(state);
     let draft = Rc::clone(&state.document.draft);
     // What is proved of an answer before stays.
-    let told = state.prices().and_then(|prices| prices.told.clone());
+    let before = state.prices().and_then(|prices| prices.told.clone());
+    let told = before.clone();
     let told = told.map(|mut told| {
         let open = told.prices.iter().filter(|price| !price.exact).count();
         Rc::make_mut(&mut told).pending = open as u32;
@@ -30,6 +31,7 @@ pub(super) fn price(state: &mut State) {
         draft: Rc::clone(&draft),
         within: state.document.within,
         told,
+        before,
     }));
     state.work.start(Task::Price(draft, Rc::new(request)));
 }

@@ -112,7 +112,7 @@ pub fn card(state: &State) -> Option<Card> {
     let counts = counts(state, &writing.rule, &judged.times);
     let offer = |rule: &giveway_model::Constraint| Offer {
         icon: icon(rule),
-        sentence: plain(&pieces(rule, false)),
+        sentence: plain(&pieces(rule, &scene.agents, false)),
         rule: rule.clone(),
     };
     let others = writing.offers.iter();
@@ -135,8 +135,8 @@ pub fn card(state: &State) -> Option<Card> {
             && !writing.asks
             && state.can_write_rules(),
         icon: icon(&writing.rule),
-        pieces: pieces(&writing.rule, true),
-        sentence: writing.rule.sentence(),
+        pieces: pieces(&writing.rule, &scene.agents, true),
+        sentence: plain(&pieces(&writing.rule, &scene.agents, false)),
         open: writing
             .open
             .and_then(|slot| Some((slot, editor(state, writing, slot)?))),

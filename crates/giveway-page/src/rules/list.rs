@@ -98,7 +98,7 @@ pub fn list(state: &State) -> Option<List> {
     let scene = state.document.draft.scene();
     let lit = state.lit_rule();
     let row = |(index, rule): (usize, &giveway_model::Constraint)| {
-        let pieces = pieces(rule, false);
+        let pieces = pieces(rule, &scene.agents, false);
         Row {
             index,
             icon: icon(rule),

@@ -18,6 +18,7 @@ mod price;
 mod shortest;
 mod times;
 mod waits;
+mod who;
 mod writing;
 
 use std::rc::Rc;
@@ -42,7 +43,7 @@ pub(crate) use offers::{every, of_zone, offered};
 pub(crate) use outdated::{Outdated, sentence as outdated};
 pub(crate) use parts::parts;
 pub use pieces::{Piece, Slot, pieces};
-pub use price::Tag;
+pub use price::{CostsOfRule, Tag};
 pub(crate) use price::{Pricing, Without, request, without};
 pub use shortest::{in_clash_robots, short_way};
 pub(crate) use times::broken;

@@ -7,9 +7,10 @@
 use giveway_model::condition::Times;
 use giveway_model::constraint::{ConstraintKind, meant};
 use giveway_model::words::{and, capital};
-use giveway_model::{Cell, Constraint, tr};
+use giveway_model::{Agent, Cell, Constraint, tr};
 
 use super::parts;
+use super::who::{all_robots, brief, said_of_all};
 
 /// A part of a rule that can be changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,8 +47,6 @@ const FROM: u32 = 700_001;
 const TO: u32 = 700_002;
 const CELLS: u32 = 710_000;
 const NUMBERS: u32 = 720_000;
-/// What no sentence says.
-const NOBODY: &str = "qcqc";
 /// Quotes of all languages.
 const QUOTES: &[char] = &['\'', '"', '„', '“', '”', '‚', '‘', '’', '«', '»'];
 
@@ -60,11 +59,14 @@ struct Mark {
     text: String,
 }
 
-/// The sentence of a rule in pieces. While it is written, all that can be changed is a slot;
-/// else its zone is one.
-pub fn pieces(rule: &Constraint, is_written: bool) -> Vec<Piece> {
-    let (marked, marks) = marked(rule, is_written);
+/// The sentence of a rule in pieces, in a scene with these robots. While it is written, all that
+/// can be changed is a slot; else its zone is one.
+pub fn pieces(rule: &Constraint, agents: &[Agent], is_written: bool) -> Vec<Piece> {
+    let (marked, marks) = marked(rule, agents, is_written);
     let mut pieces = apart(&marked.sentence(), &marks);
+    if !is_written {
+        without_slots_of_robots(&mut pieces);
+    }
     if is_written {
         number_alone(&marked.kind, &mut pieces);
         unsaid(rule, &mut pieces);
@@ -73,7 +75,7 @@ pub fn pieces(rule: &Constraint, is_written: bool) -> Vec<Piece> {
 }
 
 /// The rule with marks in the place of what can be changed.
-fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
+fn marked(rule: &Constraint, agents: &[Agent], is_written: bool) -> (Constraint, Vec<Mark>) {
     let mut marked = rule.clone();
     let mut marks = Vec::new();
     let mut mark = |begin: String, slot, text| {
@@ -95,7 +97,11 @@ fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
             std::mem::replace(zone, ZONE.to_owned()),
         );
     }
+    let brief = brief(rule, agents, all);
     if !is_written {
+        if let (true, Some(brief)) = (parts.has_who, brief) {
+            marks.push(several(&mut marked, brief));
+        }
         return (marked, marks);
     }
     let last = parts.numbers.len().saturating_sub(1);
@@ -129,62 +135,50 @@ fn marked(rule: &Constraint, is_written: bool) -> (Constraint, Vec<Mark>) {
             text: says_all.to_owned(),
         });
     } else if parts.has_who {
-        let (count, text) = match rule.agents.as_deref() {
-            Some([one]) => (1, one.clone()),
-            Some(names) => (2, and(names)),
-            None => (2, all.to_owned()),
-        };
-        let names = WHO.iter().take(count).map(|&name| name.to_owned());
-        marked.agents = Some(names.collect());
-        let [begin, end] = WHO;
-        marks.push(Mark {
-            begin: begin.to_owned(),
-            end: (count > 1).then_some(end),
-            slot: Slot::Who,
-            text,
+        marks.push(match (rule.agents.as_deref(), brief) {
+            (Some([one]), _) => {
+                let [begin, _] = WHO;
+                marked.agents = Some(vec![begin.to_owned()]);
+                Mark {
+                    begin: begin.to_owned(),
+                    end: None,
+                    slot: Slot::Who,
+                    text: one.clone(),
+                }
+            }
+            (_, Some(brief)) => several(&mut marked, brief),
+            (Some(names), None) => several(&mut marked, and(names)),
+            (None, None) => several(&mut marked, all.to_owned()),
         });
     }
     (marked, marks)
 }
 
-/// How the sentence of a kind names all robots, where it does so by a word of its own: `No robot in
-/// zone 1`. The others count them: `At most 1 of all robots`.
-fn said_of_all(kind: &ConstraintKind) -> &'static str {
-    match kind {
-        ConstraintKind::Closed { .. } | ConstraintKind::NoWaiting { .. } => tr!("No robot"),
-        ConstraintKind::Depart { .. }
-        | ConstraintKind::Arrive { .. }
-        | ConstraintKind::Visit { .. }
-        | ConstraintKind::Turns { .. } => tr!("Each robot"),
-        ConstraintKind::Late { .. } => tr!("each robot"),
-        ConstraintKind::Apart { .. } => tr!("All robots"),
-        ConstraintKind::Gap { .. } => tr!("a cell stays free behind" => "any robot"),
-        ConstraintKind::Capacity { .. }
-        | ConstraintKind::OneWay { .. }
-        | ConstraintKind::Sequence { .. }
-        | ConstraintKind::Before { .. }
-        | ConstraintKind::Avoid { .. } => NOBODY,
+/// Puts the mark of several robots into a rule.
+fn several(marked: &mut Constraint, text: String) -> Mark {
+    let [begin, end] = WHO;
+    marked.agents = Some(WHO.map(str::to_owned).to_vec());
+    Mark {
+        begin: begin.to_owned(),
+        end: Some(end),
+        slot: Slot::Who,
+        text,
     }
 }
 
-/// All robots, as they stand in the sentence of a kind.
-fn all_robots(kind: &ConstraintKind) -> &'static str {
-    match kind {
-        ConstraintKind::Apart { .. } => tr!("All robots"),
-        ConstraintKind::OneWay { .. } => tr!("a rule is for" => "all robots"),
-        ConstraintKind::Capacity { .. }
-        | ConstraintKind::Closed { .. }
-        | ConstraintKind::Gap { .. }
-        | ConstraintKind::Sequence { .. }
-        | ConstraintKind::Visit { .. }
-        | ConstraintKind::Arrive { .. }
-        | ConstraintKind::Late { .. }
-        | ConstraintKind::Depart { .. }
-        | ConstraintKind::Before { .. }
-        | ConstraintKind::NoWaiting { .. }
-        | ConstraintKind::Turns { .. }
-        | ConstraintKind::Avoid { .. } => tr!("at most 1, each or none of" => "all robots"),
+/// Makes the robots of a sentence words like the others.
+fn without_slots_of_robots(pieces: &mut Vec<Piece>) {
+    let mut plain = Vec::new();
+    for piece in pieces.drain(..) {
+        match (plain.last_mut(), piece) {
+            (Some(Piece::Text(before)), Piece::Text(text) | Piece::Slot(Slot::Who, text)) => {
+                before.push_str(&text);
+            }
+            (_, Piece::Slot(Slot::Who, text)) => plain.push(Piece::Text(text)),
+            (_, piece) => plain.push(piece),
+        }
     }
+    *pieces = plain;
 }
 
 /// Takes a sentence apart where its marks stand.

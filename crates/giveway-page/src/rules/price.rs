@@ -19,6 +19,8 @@ pub(crate) struct Pricing {
     pub(crate) within: Option<u32>,
     /// What was answered so far.
     pub(crate) told: Option<Rc<PriceAnswer>>,
+    /// What had been answered before this time, where it goes on.
+    pub(crate) before: Option<Rc<PriceAnswer>>,
 }
 
 /// The price of a rule, as its row shows it.
@@ -30,12 +32,23 @@ pub struct Tag {
     pub class: &'static str,
     /// Whether both sides are proved.
     pub is_proved: bool,
-    /// The costs of the best plan without it, as a sentence.
-    pub without: Option<String>,
+    /// Each cost of the objective with the rule and without it.
+    pub costs: Vec<CostsOfRule>,
     /// Whether that plan can be shown beside.
     pub has_plan: bool,
     /// The question why it is worth its price, which that plan answers.
     pub worth: Option<String>,
+}
+
+/// A cost with a rule and without it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CostsOfRule {
+    /// Its name, as it stands in a table.
+    pub title: &'static str,
+    /// That of the best plan with the rule; `None` where no plan keeps it, or none is known.
+    pub with: Option<u32>,
+    /// That of the best plan without it.
+    pub without: u32,
 }
 
 /// What is asked of the solver.
@@ -73,16 +86,34 @@ fn known_prices(state: &State) -> KnownPrices {
 
 /// Why not every price is known, as a sentence; nothing while they are asked for.
 pub(super) fn left_open(state: &State) -> Option<String> {
-    let told = state.prices()?.told.as_deref()?;
+    let prices = state.prices()?;
+    let told = prices.told.as_deref()?;
     let is_open = told.prices.iter().any(|price| !price.exact);
     if !is_open || state.is_pricing() {
         return None;
     }
-    Some(if told.pending > 0 {
-        tr!("It was stopped before every price was known.").to_owned()
+    if told.pending > 0 {
+        return Some(tr!("It was stopped before every price was known.").to_owned());
+    }
+    let why = tr!(
+        "Not every price could be proved within {n} second and the memory of Settings."
+            | "Not every price could be proved within {n} seconds and the memory of Settings."
+                % state.settings.seconds
+    );
+    let is_as_before = prices.before.as_deref().is_some_and(|before| {
+        let known = |answer: &PriceAnswer| -> Vec<_> {
+            let prices = answer.prices.iter();
+            prices
+                .map(|price| (price.price, price.at_least, price.at_most))
+                .collect()
+        };
+        known(before) == known(told)
+    });
+    Some(if is_as_before {
+        let nothing = tr!("Going on has brought nothing new; more time in Settings may.");
+        format!("{why} {nothing}")
     } else {
-        tr!("{n} second was not enough to prove every price."
-            | "{n} seconds were not enough to prove every price." % state.settings.seconds)
+        why
     })
 }
 
@@ -160,7 +191,7 @@ pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
         text: text.to_owned(),
         class,
         is_proved: false,
-        without: None,
+        costs: Vec::new(),
         has_plan: false,
         worth: None,
     };
@@ -181,6 +212,15 @@ pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
     });
     match price {
         Some((told, price, true)) => Some(known(told, price)),
+        // What was proved before stays while the search goes on.
+        Some((told, price, false))
+            if state.is_pricing() && (price.at_least, price.at_most) != (None, None) =>
+        {
+            Some(Tag {
+                class: "busy",
+                ..known(told, price)
+            })
+        }
         Some(_) | None if state.is_pricing() => Some(asking()),
         Some((told, price, false)) => Some(known(told, price)),
         None => None,
@@ -194,17 +234,19 @@ fn known(told: &PriceAnswer, price: &RulePrice) -> Tag {
         Price::Decides | Price::None => "none",
         Price::Unknown => "some",
     };
-    let without = told.objective.costs().iter().filter_map(|cost| {
-        let value = *price.without.get(cost)?;
-        Some(giveway_model::words::value(*cost, value))
+    let costs = told.objective.costs().iter();
+    let costs = costs.filter_map(|cost| {
+        Some(CostsOfRule {
+            title: crate::words::title(*cost),
+            with: told.costs.map(|costs| costs.get(*cost)),
+            without: *price.without.get(cost)?,
+        })
     });
-    let without: Vec<String> = without.collect();
     Tag {
         text: words::tag(&told.objective, price),
         class,
         is_proved: price.exact,
-        without: (!without.is_empty())
-            .then(|| tr!("Without it: {costs}.", costs = without.join(", "))),
+        costs: costs.collect(),
         has_plan: price.plan.is_some(),
         worth: (price.price == Price::Costs && price.plan.is_some()).then(|| {
             let price = words::grown(&told.objective, price);

@@ -71,7 +71,8 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
         None => pricing.solve(&instance, request.start.as_ref(), parts),
     };
     let mut answer = begun(&all, objective);
-    let unpriced = |rule: &usize| exact(rule).unwrap_or_else(|| pricing.unpriced(*rule));
+    let before = |rule: usize| known.and_then(|known| known.price(rule)).cloned();
+    let unpriced = |&rule: &usize| before(rule).unwrap_or_else(|| pricing.unpriced(rule));
     answer.prices = rules.iter().map(unpriced).collect();
     answer.pending = rules.len() as u32;
     let tell = |answer: &mut PriceAnswer| {
@@ -91,7 +92,10 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
                 break;
             }
             let from = known.and_then(|known| known.price(rule)?.plan.as_ref());
-            let side = pricing.price(rule, &all.answer, from, open(&rules[place..]));
+            let mut side = pricing.price(rule, &all.answer, from, open(&rules[place..]));
+            if let Some(before) = before(rule) {
+                narrow(&mut side, &before);
+            }
             answer.prices[place] = side;
         }
         if request.loosen.is_some() {
@@ -266,6 +270,16 @@ pub(super) fn compared(
             Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
             Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
         ) => (Price::Unknown, false),
+    }
+}
+
+/// Keeps what was proved of a price before, as long as it is not known.
+fn narrow(price: &mut RulePrice, before: &RulePrice) {
+    if price.price == Price::Unknown {
+        price.at_least = price.at_least.max(before.at_least);
+        let most = [price.at_most, before.at_most];
+        price.at_most = most.into_iter().flatten().min();
+        price.plan = price.plan.take().or_else(|| before.plan.clone());
     }
 }
 

@@ -63,7 +63,7 @@ pub fn grown(objective: &Objective, price: &RulePrice) -> String {
     }
 }
 
-/// How much of a cost something costs, with its unit: `2 steps of the sum of costs`, `1 charge`.
+/// How much of a cost something costs, with its unit: `2 steps in all`, `1 charge`.
 pub fn amount(cost: Cost, by: i64) -> String {
     let n = u32::try_from(by).unwrap_or(u32::MAX);
     match cost {
@@ -71,7 +71,7 @@ pub fn amount(cost: Cost, by: i64) -> String {
             tr!("a price" => "{n} step of the makespan" | "{n} steps of the makespan" % n)
         }
         Cost::SumOfCosts => {
-            tr!("a price" => "{n} step of the sum of costs" | "{n} steps of the sum of costs" % n)
+            tr!("a price" => "{n} step in all" | "{n} steps in all" % n)
         }
         Cost::Charges | Cost::Moves | Cost::Waits => value(cost, n),
         Cost::Penalty => tr!("a price" => "a penalty of {n}", n),

@@ -27,7 +27,7 @@ fn a_zone_goes_on_is_taken_away_and_has_a_name() {
     let zone = &state.document.draft.scene().zones[0];
     assert_eq!((&*zone.name, zone.cells().count()), ("middle aisle", 3));
     let shown = card(&state).unwrap();
-    assert_eq!(shown.sentence, "At most 1 robot in 'middle aisle'");
+    assert_eq!(shown.sentence, "At most 1 robot in middle aisle");
     let added = after(
         &state,
         [

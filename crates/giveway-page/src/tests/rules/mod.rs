@@ -161,10 +161,13 @@ fn what_rules_cost_is_asked_and_goes_when_the_scene_changes() {
     ];
     assert_eq!(texts(&priced), both);
     let row = &list(&priced).unwrap().rows[1];
-    let without = row.price.as_ref().unwrap().without.clone().unwrap();
-    assert!(
-        without.starts_with("Without it: makespan 8, sum of costs 21"),
-        "{without}"
+    let costs = row.price.as_ref().unwrap().costs.iter();
+    let costs: Vec<_> = costs
+        .map(|cost| (cost.title, cost.with, cost.without))
+        .collect();
+    assert_eq!(
+        costs[..2],
+        [("Makespan", Some(10), 8), ("Sum of costs", Some(23), 21)]
     );
     let more = after(&priced, stroke(Tool::Obstacle, &[(6, 0)]));
     assert_eq!(texts(&more), [None, None], "they go");

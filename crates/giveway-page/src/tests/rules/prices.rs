@@ -45,13 +45,19 @@ fn prices_that_are_left_open_go_on() {
 
     let open = answered_with(&asking, Some(1));
     let why = list(&open).unwrap().left_open.unwrap();
-    assert_eq!(why, "30 seconds were not enough to prove every price.");
+    assert_eq!(
+        why,
+        "Not every price could be proved within 30 seconds and the memory of Settings."
+    );
     assert_eq!(texts(&open).len(), 2);
 
     let again = after(&open, [act(RuleAction::Price)]);
     assert_eq!(list(&again).unwrap().left_open, None);
     let (_, second) = asked(&again);
     assert_eq!(second.known.unwrap().prices.len(), 2);
+    let still = answered_with(&again, Some(1));
+    let why = list(&still).unwrap().left_open.unwrap();
+    assert!(why.ends_with("Going on has brought nothing new; more time in Settings may."));
     let priced = answered_with(&again, None);
     assert_eq!(
         texts(&priced),
@@ -80,7 +86,13 @@ fn what_is_proved_of_a_price_stays_while_the_others_are_asked_for() {
     );
     let again = after(&half, [act(RuleAction::Price)]);
     assert_eq!(list(&again).unwrap().asking, Some((1, 2)));
-    assert_eq!(texts(&again)[1], "costs 2 steps of the makespan");
+    assert_eq!(
+        texts(&again),
+        [
+            "costs 1 to 4 steps of the makespan",
+            "costs 2 steps of the makespan"
+        ]
+    );
     let priced = answered_with(&again, None);
     assert_eq!(texts(&priced)[0], "costs nothing");
 }

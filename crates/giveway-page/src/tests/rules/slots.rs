@@ -2,7 +2,7 @@
 
 use giveway_model::condition::{Times, Visit};
 use giveway_model::constraint::ConstraintKind;
-use giveway_model::{Cell, Constraint};
+use giveway_model::{Agent, Cell, Constraint};
 
 use super::{act, marked};
 use crate::reduce::tests::after;
@@ -93,7 +93,10 @@ fn bracketed(rule: &Constraint, is_written: bool) -> String {
         Piece::Text(text) => text,
         Piece::Slot(_, text) => format!("[{text}]"),
     };
-    pieces(rule, is_written).into_iter().map(piece).collect()
+    pieces(rule, &[], is_written)
+        .into_iter()
+        .map(piece)
+        .collect()
 }
 
 #[test]
@@ -137,13 +140,48 @@ fn each_kind_is_a_sentence_with_slots() {
 }
 
 #[test]
+fn many_robots_are_told_in_few_words() {
+    let names: Vec<String> = (1..=9).map(|n| format!("A{n}")).collect();
+    let agent = |name: &String| Agent::new(name.as_str(), Cell::new(0, 0), None);
+    let agents: Vec<Agent> = names.iter().map(agent).collect();
+    let told = |bound: &[String], is_written| {
+        let rule = Constraint {
+            agents: Some(bound.to_vec()),
+            ..rule(ConstraintKind::Apart {
+                distance: 2,
+                times: Times::default(),
+            })
+        };
+        let pieces = pieces(&rule, &agents, is_written).into_iter();
+        pieces
+            .map(|piece| match piece {
+                Piece::Text(text) => text,
+                Piece::Slot(_, text) => format!("[{text}]"),
+            })
+            .collect::<String>()
+    };
+    let (but_two, five, four) = (&names[2..], &names[..5], &names[..4]);
+    assert_eq!(
+        told(but_two, false),
+        "All robots but A1 and A2 keep 2 apart"
+    );
+    assert_eq!(
+        told(but_two, true),
+        "[All robots but A1 and A2] keep [2] apart [always]"
+    );
+    assert_eq!(told(five, false), "A1, A2, A3 and 2 more keep 2 apart");
+    assert_eq!(told(four, false), "A1, A2, A3 and A4 keep 2 apart");
+    assert_eq!(told(&names, false), "A1, A2, A3 and 6 more keep 2 apart");
+}
+
+#[test]
 fn each_slot_can_be_opened_and_filled() {
     for mut rule in all_kinds() {
         if let Some(zone) = parts(&mut rule.kind).zone {
             "zone 1".clone_into(zone);
         }
         let state = after(&marked(), [act(RuleAction::Write(rule.clone()))]);
-        for piece in pieces(&rule, true) {
+        for piece in pieces(&rule, &[], true) {
             let Piece::Slot(slot, _) = piece else {
                 continue;
             };

@@ -117,8 +117,16 @@ impl Report {
             cell(html, "", &"");
         }
         if alone {
-            cell(html, N, &sum(&|row| row.alone.as_ref().map(|lone| lone.alone)));
-            cell(html, N, &sum(&|row| row.alone.as_ref().map(|lone| lone.delay)));
+            cell(
+                html,
+                N,
+                &sum(&|row| row.alone.as_ref().map(|lone| lone.alone)),
+            );
+            cell(
+                html,
+                N,
+                &sum(&|row| row.alone.as_ref().map(|lone| lone.delay)),
+            );
         }
         cell(html, N, &sum(&|row| Some(row.waits)));
         if alone {
