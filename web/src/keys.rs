@@ -2,13 +2,13 @@
 //! for them.
 
 use giveway_page::{
-    Action,
+    Action, BoardAction,
     area::AreaAction,
     keys::{Command, Key, command},
 };
 use gloo::events::{EventListener, EventListenerOptions};
 use wasm_bindgen::JsCast as _;
-use web_sys::{Element, Event, KeyboardEvent};
+use web_sys::{Element, Event, KeyboardEvent, SvgElement};
 use yew::prelude::*;
 
 use crate::Shown;
@@ -42,7 +42,16 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                 event.prevent_default();
                 match command {
                     Command::Act(Action::Area(AreaAction::Copy)) => copy_area(&latest.get(), &send),
-                    Command::Act(action) => send.emit(action),
+                    Command::Act(action) => {
+                        let picks = matches!(
+                            action,
+                            Action::Board(BoardAction::PickTool(_) | BoardAction::PickShape(_))
+                        );
+                        send.emit(action);
+                        if picks {
+                            focus_board();
+                        }
+                    }
                     // The key that opens the list of keys closes it, too.
                     Command::Help if help_is_open() => show.emit(Panel::Nothing),
                     Command::Help => show.emit(Panel::Help),
@@ -50,6 +59,15 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
             });
         move || drop(listening)
     });
+}
+
+/// The arrows are for the tool that was picked by its key.
+fn focus_board() {
+    let board = gloo::utils::document().query_selector("svg[data-board=main]");
+    if let Ok(Some(board)) = board {
+        // What cannot take it leaves it where it is.
+        let _ = board.unchecked_into::<SvgElement>().focus();
+    }
 }
 
 fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {

@@ -49,6 +49,7 @@ impl Shape {
         Self::Aisle,
     ];
     const PLAIN: [Self; 4] = [Self::Pen, Self::Rectangle, Self::Line, Self::Fill];
+    const ZONE: [Self; 2] = [Self::Pen, Self::Rectangle];
 
     /// The shapes that a tool can draw; none where it does not paint.
     pub const fn of(tool: Tool) -> &'static [Self] {
@@ -56,7 +57,8 @@ impl Shape {
             Tool::Obstacle => &Self::GROUND,
             Tool::Charger | Tool::SlowZone | Tool::Erase => &Self::PLAIN,
             Tool::Agent => &[Self::One, Self::Row],
-            Tool::Select | Tool::Zone | Tool::OneWay | Tool::Goal | Tool::Waypoint => &[],
+            Tool::Zone => &Self::ZONE,
+            Tool::Select | Tool::OneWay | Tool::Goal | Tool::Waypoint => &[],
         }
     }
 

@@ -123,7 +123,7 @@ fn mark(state: &mut State, cell: Cell, takes: bool, is_rect: bool) {
     let zone = scene.zones.iter().find(|zone| chosen == Some(&zone.name));
     let on = !takes;
     let name = zone.map_or_else(|| fresh_zone(scene), |zone| zone.name.clone());
-    let hold = if is_rect {
+    let hold = if is_rect || state.shape() == Shape::Rectangle {
         Hold::Rect(name, on)
     } else {
         Hold::Zone(name, on)

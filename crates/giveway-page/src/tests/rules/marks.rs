@@ -3,6 +3,7 @@
 use giveway_model::{Cell, Constraint};
 
 use super::{act, fresh, marked};
+use crate::draw::{Shape, row};
 use crate::reduce::tests::{after, stroke};
 use crate::rules::{RuleAction, card};
 use crate::{Action, BoardAction, State, Tool};
@@ -73,6 +74,23 @@ fn a_rectangle_is_drawn_and_a_second_zone_begins() {
         .map(|zone| &*zone.name)
         .collect();
     assert_eq!(names, ["zone 1", "zone 2"], "the tool was picked again");
+}
+
+#[test]
+fn the_rectangle_is_a_shape_of_the_tool_zone() {
+    let drawn = after(
+        &fresh(),
+        [
+            Action::Board(BoardAction::PickTool(Tool::Zone)),
+            Action::Board(BoardAction::PickShape(Shape::Rectangle)),
+            Action::Board(BoardAction::Press(Cell::new(4, 1))),
+            Action::Board(BoardAction::Drag(vec![Cell::new(5, 3)])),
+            Action::Board(BoardAction::Release),
+        ],
+    );
+    let zone = &drawn.document.draft.scene().zones[0];
+    assert_eq!(zone.cells().count(), 6);
+    assert_eq!(row(&drawn).unwrap().shapes, [Shape::Pen, Shape::Rectangle]);
 }
 
 #[test]
