@@ -136,7 +136,7 @@ function later(functions) {
     const of = name.replace(COPY, "");
     copies.set(of, (copies.get(of) ?? 0) + 1);
   }
-  const isAlone = (name) => copies.get(name.replace(COPY, "")) === 1 && ![...pathsOf(name)].some((path) => isListed.has(path));
+  const isAlone = (name) => !COPY.test(name) && copies.get(name.replace(COPY, "")) === 1 && ![...pathsOf(name)].some((path) => isListed.has(path));
   const alone = [...names].filter(([name, { bytes, ran }]) => !ran && bytes >= LARGE && isAlone(name));
   return [...listed.sort(), ...alone.map(([name]) => `= ${name}`).sort()];
 }
