@@ -45,18 +45,30 @@ pub(super) struct LaneRowProps {
     pub in_zone: Vec<(u32, u32)>,
     /// The times at which something is against the rules.
     pub bursts: Vec<f64>,
-    /// Takes the index of the lane that was picked, and the time of the wait that was pressed.
+    /// Takes the index of the lane that was picked, and the time of the wait or the charge that was pressed.
     pub pick: Callback<(usize, Option<u32>)>,
 }
 
-/// The time of the wait that was pressed; `None` where none was.
-fn wait_at(event: &MouseEvent, lanes: &[Lane], index: usize, axis: Axis) -> Option<u32> {
+/// Half the width of the sign of a charge in which a press is for it, in pixels.
+const CHARGE: f64 = 10.0;
+
+/// The time of the charge or the wait that was pressed; `None` where none was.
+fn pressed_time(event: &MouseEvent, lanes: &[Lane], index: usize, axis: Axis) -> Option<u32> {
     let row: web_sys::Element = event.current_target()?.dyn_into().ok()?;
     let bars = row.query_selector(".bars").ok()??;
     let left = bars.get_bounding_client_rect().left();
     let x = f64::from(event.client_x()) - left;
     let lane = lanes.get(index)?;
     // A press of the keyboard has no place, and one on the name is left of it.
+    if x <= axis.x(0.0) - CHARGE {
+        return None;
+    }
+    let far = |time: u32| (axis.x(f64::from(time)) - x).abs();
+    let charges = lane.charges.iter().copied();
+    let near = charges.filter(|&time| far(time) <= CHARGE);
+    if let Some(charge) = near.min_by(|&a, &b| far(a).total_cmp(&far(b))) {
+        return Some(charge);
+    }
     let mut waits = lane.steps.iter().filter(|step| step.way.stays());
     let wait = waits.find(|step| {
         let (begins, ends) = (f64::from(step.begins), f64::from(step.ends));
@@ -89,7 +101,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
     let onclick = {
         let (lanes, axis) = (props.lanes.clone(), props.axis);
         let pick = props.pick.clone();
-        move |event: MouseEvent| pick.emit((index, wait_at(&event, &lanes, index, axis)))
+        move |event: MouseEvent| pick.emit((index, pressed_time(&event, &lanes, index, axis)))
     };
     let note = props.note.as_ref();
     let told = note.map(|note| format!("{}, {}", note.place, note.around));

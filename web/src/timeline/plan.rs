@@ -147,16 +147,16 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
     let pick = {
         let (state, lanes) = (state.clone(), lanes.clone());
         let send = send.clone();
-        Callback::from(move |(index, wait): (usize, Option<u32>)| {
+        Callback::from(move |(index, time): (usize, Option<u32>)| {
             let again = selected_lane(&state, &lanes) == Some(index);
-            let to = if again && wait.is_none() {
+            let to = if again && time.is_none() {
                 Selection::Nothing
             } else {
                 selection(&state, &lanes, index)
             };
             send.emit(Action::Board(BoardAction::Select(to)));
-            // The question about a wait is there at its time.
-            if let Some(time) = wait {
+            // The question about a wait or a charge is there at its time.
+            if let Some(time) = time {
                 send.emit(Action::Play(PlayAction::Seek(time)));
             }
         })
