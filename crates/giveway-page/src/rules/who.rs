@@ -19,16 +19,14 @@ pub(super) fn brief(rule: &Constraint, agents: &[Agent], all: &str) -> Option<St
     }
     let others = agents.iter().map(|agent| &agent.name);
     let others: Vec<&String> = others.filter(|name| !names.contains(name)).collect();
-    Some(match others.len() {
-        1..MOST_NAMED => tr!("{all} but {robots}", all, robots = and(&others)),
-        _ => {
-            let (first, more) = names.split_at(MOST_NAMED - 1);
-            tr!(
-                "{robots} and {n} more" | "{robots} and {n} more" % more.len(),
-                robots = first.join(", ")
-            )
-        }
-    })
+    if (1..MOST_NAMED).contains(&others.len()) {
+        return Some(tr!("{all} but {robots}", all, robots = and(&others)));
+    }
+    let (first, more) = names.split_at(MOST_NAMED - 1);
+    Some(tr!(
+        "{robots} and {n} more" | "{robots} and {n} more" % more.len(),
+        robots = first.join(", ")
+    ))
 }
 
 /// How the sentence of a kind names all robots, where it does so by a word of its own: `No robot in
