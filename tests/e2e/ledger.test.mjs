@@ -31,7 +31,7 @@ describe("who costs whom", () => {
     await playground.inspector.getByRole("table", { name: "Who costs others" }).waitFor();
     await playground.picture("ledger-turned");
 
-    await playground.inspector.getByRole("button", { name: /^Why does A\d lose 1\?/ }).click();
+    await playground.inspector.getByRole("button", { name: /^Why does A\d not arrive sooner\?/ }).click();
     await playground.inspector.getByRole("heading", { name: /^Why does A\d not arrive sooner\?/ }).waitFor();
     await playground.inspector.locator(".verdict").waitFor();
     await playground.button("Back").click();

@@ -38,7 +38,7 @@ pub struct Offer {
 }
 
 impl Offer {
-    fn new(icon: &'static str, question: Question) -> Self {
+    pub(crate) fn new(icon: &'static str, question: Question) -> Self {
         let text = words::question(&question);
         Self {
             question,

@@ -153,19 +153,7 @@ fn fill(column: &mut Column, state: &State, told: &DelaysAnswer) {
     column.places = places
         .map(|(rank, place)| place_row(rank, place, lit))
         .collect();
-    column.ask = largest(told).map(|(question, n)| {
-        let text = tr!(
-            "Why does {agent} lose {n}?",
-            agent = question.agent().unwrap_or_default(),
-            n
-        );
-        Offer {
-            question,
-            icon: "question",
-            text,
-            detail: None,
-        }
-    });
+    column.ask = largest(told).map(|question| Offer::new("question", question));
 }
 
 fn loss(state: &State, row: &AgentDelay, lit: Option<LedgerLit>) -> LossRow {

@@ -185,8 +185,8 @@ pub(crate) fn doing(state: &State) -> &'static str {
 }
 
 /// The question about the largest loss.
-pub(crate) fn largest(told: &DelaysAnswer) -> Option<(Question, u32)> {
+pub(crate) fn largest(told: &DelaysAnswer) -> Option<Question> {
     let first = told.agents.first().filter(|row| row.delay > 0)?;
     let agent = first.agent.clone();
-    Some((Question::Arrival { agent }, first.delay))
+    Some(Question::Arrival { agent })
 }

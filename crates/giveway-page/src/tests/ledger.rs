@@ -157,7 +157,7 @@ fn its_foot_asks_about_the_largest_loss_and_the_way_back_leads_to_it() {
     assert_eq!(offer.question, question);
     assert_eq!(
         offer.text,
-        format!("Why does {} lose {}?", first.name, first.steps)
+        format!("Why does {} not arrive sooner?", first.name)
     );
     let asked = answered(&after(&state, [Action::Ask(AskAction::Ask(question))]));
     assert_eq!(column(&asked), None);
