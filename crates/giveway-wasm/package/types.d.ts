@@ -907,6 +907,8 @@ export interface RulePrice {
   without?: Partial<Record<Cost, number>>;
   /** With it minus without it; a later cost may be negative. */
   difference?: Partial<Record<Cost, number>>;
+  /** The cost of the two below, where it is not the first: in those before it both sides are proved equal. */
+  range_of?: Cost;
   /** Of the first cost, where the price is unknown. */
   at_least?: number;
   at_most?: number;

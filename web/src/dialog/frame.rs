@@ -3,7 +3,7 @@
 
 use giveway_model::tr;
 use gloo::events::EventListener;
-use web_sys::HtmlDialogElement;
+use web_sys::{HtmlDialogElement, HtmlElement};
 use yew::prelude::*;
 
 use crate::icon;
@@ -35,13 +35,19 @@ pub(crate) fn Frame(props: &FrameProps) -> Html {
         children,
     } = props;
     let node = use_node_ref();
+    let body = use_node_ref();
     {
         let (node, on_close) = (node.clone(), on_close.clone());
+        let read = reads.then(|| body.clone());
         use_effect_with((), move |()| {
             let dialog = node.cast::<HtmlDialogElement>();
             let listening = dialog.as_ref().map(|dialog| {
                 // It can only fail for a dialog that is open or not on the page.
                 let _ = dialog.show_modal();
+                // Keys scroll it at once.
+                if let Some(body) = read.and_then(|body| body.cast::<HtmlElement>()) {
+                    let _ = body.focus();
+                }
                 EventListener::new(dialog, "close", move |_| on_close.emit(()))
             });
             move || {
@@ -71,7 +77,7 @@ pub(crate) fn Frame(props: &FrameProps) -> Html {
                     { icon::show("cancel") }<span class="vh">{ tr!("Close") }</span>
                 </button>
             </header>
-            <div class="dialog-body" tabindex={reads.then_some("0")} role={reads.then_some("group")}
+            <div class="dialog-body" ref={body} tabindex={reads.then_some("0")} role={reads.then_some("group")}
                 aria-labelledby={reads.then_some("dialog-title")}>{ children.clone() }</div>
         </dialog>
     }

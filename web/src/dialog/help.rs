@@ -48,5 +48,5 @@ fn chord(keys: &'static str) -> Html {
         "+" => vec![keys],
         _ => keys.split('+').collect(),
     };
-    html! { for key in keys { <kbd>{ key_name(key) }</kbd> } }
+    html! { <span class="chord">{ for keys.into_iter().map(|key| html! { <kbd>{ key_name(key) }</kbd> }) }</span> }
 }

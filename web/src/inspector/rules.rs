@@ -50,6 +50,7 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
             }
             if let Some(why) = &list.left_open { <p class="remark">{ why.clone() }</p> }
             if list.can_ask || list.asking.is_some() { { ask(list.asking, list.left_open.is_some(), send) } }
+            if let Some(summary) = &list.summary { <p class="remark" aria-hidden="true">{ summary.clone() }</p> }
             <p class="vh" role="status">{ list.told.clone() }</p>
         </section>
     }
@@ -125,7 +126,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
             onmouseleave={send.reform(move |_| light(false))}>
             <button type="button" class="rule-icon" aria-expanded={row.is_open.to_string()} aria-label={tr!("{rule}: show and open", rule = row.sentence)}
                 onclick={act(send, move || RuleAction::Open(index))}>{ icon::show(row.icon) }</button>
-            <p class="rule-text" onclick={opens}>{ for row.pieces.iter().map(piece) }
+            <p class="rule-text" onclick={opens.clone()}>{ for row.pieces.iter().map(piece) }
                 if let Some(name) = &row.name { <small>{ name.clone() }</small> }
             </p>
             <label class="switch" title={tr!("In force")}>
@@ -133,7 +134,7 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
                     onchange={send.reform(move |_: Event| Action::Rules(RuleAction::Switch(index)))} /><i></i>
             </label>
             <p class="rule-price">
-                { for row.price.as_ref().map(tag) }
+                { for row.price.as_ref().map(|price| tag(price, opens.clone())) }
                 if let Some(broken) = &row.broken {
                     <span class="rule-tag broken">{ icon::show("collision") }{ broken.clone() }</span>
                 }
@@ -143,14 +144,15 @@ fn rule(row: &Row, send: &Callback<Action>) -> Html {
     }
 }
 
-fn tag(price: &Tag) -> Html {
+/// The price; with the mouse it opens the row, as its sentence does.
+fn tag(price: &Tag, onclick: Callback<MouseEvent>) -> Html {
     let icon = match price.class {
         "busy" => Some("clock"),
         "some" => Some("search"),
         _ => price.is_proved.then_some("proved"),
     };
     html! {
-        <span class={classes!("rule-tag", price.class)}>
+        <span class={classes!("rule-tag", price.class)} {onclick}>
             if let Some(icon) = icon { { icon::show(icon) } }{ price.text.clone() }
         </span>
     }
@@ -160,13 +162,11 @@ fn tag(price: &Tag) -> Html {
 fn open(row: &Row, send: &Callback<Action>) -> Html {
     let index = row.index;
     let costs = row.price.as_ref().filter(|price| !price.costs.is_empty());
-    let worth = row.price.as_ref().and_then(|price| price.worth.clone());
-    let worth = worth.unwrap_or_else(|| tr!("Show that plan beside").to_owned());
     html! {
         <div class="rule-more">
             { for costs.map(|price| costs_of(&price.costs)) }
             if row.price.as_ref().is_some_and(|price| price.has_plan) {
-                { button("compare", worth, Some(row.is_beside), {
+                { button("compare", tr!("Show the plan without it"), Some(row.is_beside), {
                     let beside = row.is_beside;
                     act(send, move || RuleAction::Without((!beside).then_some(index)))
                 }) }

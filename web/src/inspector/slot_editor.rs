@@ -69,10 +69,16 @@ fn choices(slot: Slot, names: &[(String, bool)], several: bool, send: &Callback<
             </button>
         }
     };
+    let others = names.iter().filter(|(_, is_on)| !*is_on);
+    let others: Vec<String> = others.map(|(name, _)| name.clone()).collect();
+    let can_turn = several && !is_all && !others.is_empty();
     html! {
         <>
             if several {
                 <button type="button" class="pick-one" aria-pressed={is_all.to_string()} onclick={act(send, || RuleAction::Fill(Value::Who(None)))}>{ tr!("All robots") }</button>
+            }
+            if can_turn {
+                <button type="button" class="pick-one" onclick={act(send, move || RuleAction::Fill(Value::Who(Some(others.clone()))))}>{ tr!("The others instead") }</button>
             }
             { for names.iter().enumerate().map(pick) }
         </>

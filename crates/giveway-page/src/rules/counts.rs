@@ -2,8 +2,9 @@
 
 use giveway_model::{Constraint, Plan};
 
+use super::outdated::judged_by;
 use super::zone_of;
-use crate::State;
+use crate::{Answer, State};
 
 /// How many robots are in the zone at some times on end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,13 +21,12 @@ pub struct Count {
 
 /// How many robots are in a zone at each time of the plan on the board, equal ones as one.
 pub(super) fn counts(state: &State, rule: &Constraint, broken: &[u32]) -> Vec<Count> {
-    let Some((plan, zone)) = state.document.plan().zip(zone_of(&rule.kind)) else {
+    let answer = judged_by(state);
+    let plan = answer.and_then(Answer::plan);
+    let (Some(answer), Some(plan), Some(zone)) = (answer, plan, zone_of(&rule.kind)) else {
         return Vec::new();
     };
-    let last = state
-        .document
-        .fresh_answer()
-        .map_or(0, |answer| answer.makespan());
+    let last = answer.makespan();
     let bound = rule.agents.as_deref();
     let agents = state.document.agents().iter();
     let agents = agents.filter(|agent| bound.is_none_or(|names| names.contains(&agent.name)));

@@ -8,9 +8,10 @@ use giveway_model::words::{and, capital, sentence};
 use giveway_model::{Constraint, Instance, Scene, sorting::set, tr};
 
 use super::never::never;
+use super::outdated::judged_by;
 use super::{Writing, zone_of};
-use crate::State;
 use crate::changing::{Changing, inside};
+use crate::{Answer, State};
 
 /// At most so many stretches of time are told.
 const STRETCHES: usize = 3;
@@ -143,7 +144,7 @@ fn ruling(state: &State, writing: &Writing) -> Judged {
     if let Some(never) = never(state.document.draft.scene(), &writing.rule) {
         return say(Ruling::Never, tr!("No plan can keep it"), vec![never.why]);
     }
-    let Some(plan) = state.document.plan() else {
+    let Some(plan) = judged_by(state).and_then(Answer::plan) else {
         let title = if state.document.is_stale() {
             tr!("The plan on the board is of the scene before: solve it again, then it is judged.")
         } else {

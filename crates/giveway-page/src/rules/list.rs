@@ -29,6 +29,8 @@ pub struct List {
     pub can_ask: bool,
     /// What prices came to as a whole, to be read aloud.
     pub told: String,
+    /// The same in a few words, which stand where it was asked: on a phone the rows are above.
+    pub summary: Option<String>,
 }
 
 /// A rule of the problem.
@@ -155,9 +157,29 @@ pub fn list(state: &State) -> Option<List> {
         left_open: super::price::left_open(state),
         can_ask: on > 0 && state.document.draft.instance().is_ok(),
         told: said.filter(|_| asking.is_none()).unwrap_or_default(),
+        summary: if asking.is_none() {
+            summary(&rows)
+        } else {
+            None
+        },
         asking,
         rows,
     })
+}
+
+/// What the rules in force cost, in a few words; nothing where nobody asked.
+fn summary(rows: &[Row]) -> Option<String> {
+    let in_force = rows.iter().filter(|row| row.is_on);
+    let prices: Vec<&Tag> = in_force.filter_map(|row| row.price.as_ref()).collect();
+    let costs = prices.iter().filter(|price| price.class == "cost").count();
+    match prices.as_slice() {
+        [] => None,
+        [price] => Some(tr!("The rule {price}.", price = price.text)),
+        all => Some(tr!(
+            "{n} of {all} rules costs something." | "{n} of {all} rules cost something." % costs,
+            all = all.len()
+        )),
+    }
 }
 
 /// The rules that changes of the world have added or removed, as the plan on the board knows them.

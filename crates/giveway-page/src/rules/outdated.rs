@@ -20,6 +20,8 @@ pub(crate) struct Outdated {
     answer: Rc<Answer>,
     /// What is against rules of the scene's own, by time; nothing where more than rules has changed.
     pub(super) violations: Vec<Violation>,
+    /// Whether nothing but rules has changed since.
+    has_other_rules_only: bool,
 }
 
 /// What is known of that. It follows from the document, so it makes no difference between states.
@@ -60,6 +62,7 @@ impl Outdated {
             draft: Rc::clone(&document.draft),
             answer: Rc::clone(answer),
             violations: violations(document, answer),
+            has_other_rules_only: has_other_rules_only(document, answer),
         })
     }
 
@@ -76,17 +79,29 @@ impl Outdated {
     }
 }
 
-fn violations(document: &Document, answer: &Answer) -> Vec<Violation> {
+/// The answer whose plan a rule can be judged by: that of the scene as it is, or a stale one where
+/// only rules have changed since.
+pub(super) fn judged_by(state: &State) -> Option<&Answer> {
+    let stale = || of(state).filter(|it| it.has_other_rules_only);
+    let fresh = state.document.fresh_answer().map(Rc::as_ref);
+    fresh.or_else(|| stale().map(|it| it.answer.as_ref()))
+}
+
+fn has_other_rules_only(document: &Document, answer: &Answer) -> bool {
     let (scene, before) = (document.draft.scene(), answer.draft.scene());
     let rest = Scene {
         zones: before.zones.clone(),
         constraints: before.constraints.clone(),
         ..scene.clone()
     };
+    rest == *before && answer.course.is_none()
+}
+
+fn violations(document: &Document, answer: &Answer) -> Vec<Violation> {
     let (Some(plan), Ok(instance)) = (answer.plan(), document.draft.instance()) else {
         return Vec::new();
     };
-    if rest != *before || answer.course.is_some() {
+    if !has_other_rules_only(document, answer) {
         return Vec::new();
     }
     let all = check(instance, plan).violations.into_iter();
@@ -117,9 +132,10 @@ pub(super) fn told(state: &State, rule: usize) -> Option<String> {
 /// That the plan on the board breaks a rule that is newer, as a sentence.
 pub(crate) fn sentence(state: &State) -> Option<String> {
     let first = of(state)?.violations.first()?.broken.as_ref()?.index as usize;
-    let rule = state.document.draft.scene().constraints.get(first)?;
+    let scene = state.document.draft.scene();
+    let rule = scene.constraints.get(first)?;
     Some(tr!(
         "This plan breaks a rule that came after it: {rule}. Solve again.",
-        rule = rule.called()
+        rule = super::called(scene, rule)
     ))
 }

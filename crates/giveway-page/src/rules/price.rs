@@ -4,11 +4,14 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::check::check;
-use giveway_model::tr;
+use giveway_model::{Plan, tr};
 use giveway_solve::price::{KnownPrices, Price, PriceAnswer, PriceRequest, RulePrice, words};
 use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
 use crate::{Answer, Draft, State, Task};
+
+/// So many plans of scenes before are handed on.
+const MOST_PLANS: usize = 8;
 
 /// What the rules of a scene cost, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,8 +39,6 @@ pub struct Tag {
     pub costs: Vec<CostsOfRule>,
     /// Whether that plan can be shown beside.
     pub has_plan: bool,
-    /// The question why it is worth its price, which that plan answers.
-    pub worth: Option<String>,
 }
 
 /// A cost with a rule and without it.
@@ -80,8 +81,26 @@ fn known_prices(state: &State) -> KnownPrices {
             trace: None,
             ..answer.solved.clone()
         }),
+        plans: earlier_plans(state),
         prices: told.map_or_else(Vec::new, |told| told.prices.clone()),
     }
+}
+
+/// The last plans of scenes before, which had other rules perhaps.
+fn earlier_plans(state: &State) -> Vec<Plan> {
+    let mut answers: Vec<&Rc<Answer>> = Vec::new();
+    for moment in state.history.past().iter().rev() {
+        let answer = moment.document.answer.as_ref();
+        let answer = answer.filter(|answer| answer.course.is_none());
+        if let Some(answer) = answer
+            && !answers.iter().any(|other| Rc::ptr_eq(other, answer))
+            && answers.len() < MOST_PLANS
+        {
+            answers.push(answer);
+        }
+    }
+    let plans = answers.into_iter().filter_map(|answer| answer.plan());
+    plans.cloned().collect()
 }
 
 /// Why not every price is known, as a sentence; nothing while they are asked for.
@@ -193,7 +212,6 @@ pub(super) fn tag(state: &State, index: usize, is_off: bool) -> Option<Tag> {
         is_proved: false,
         costs: Vec::new(),
         has_plan: false,
-        worth: None,
     };
     if is_off {
         return Some(plain(tr!("a rule" => "off"), "off"));
@@ -248,9 +266,5 @@ fn known(told: &PriceAnswer, price: &RulePrice) -> Tag {
         is_proved: price.exact,
         costs: costs.collect(),
         has_plan: price.plan.is_some(),
-        worth: (price.price == Price::Costs && price.plan.is_some()).then(|| {
-            let price = words::grown(&told.objective, price);
-            tr!("Why is it worth {price}?", price)
-        }),
     }
 }

@@ -57,6 +57,10 @@ pub struct RulePrice {
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     #[borsh(deserialize_with = "read_map")]
     pub difference: BTreeMap<Cost, i64>,
+    /// The cost of which `at_least` and `at_most` are, where it is not the first of the
+    /// objective: in those before it both sides are proved equal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range_of: Option<Cost>,
     /// The least that it is proved to cost in the first cost of the objective, where the
     /// price is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]

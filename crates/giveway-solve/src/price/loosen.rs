@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 use giveway_model::constraint::LooserWay;
 use giveway_model::{Cost, Instance, sorting::map};
 
-use super::serve::{Pricing, compared, difference};
+use super::compared::{compared, difference};
+use super::serve::Pricing;
 use super::{Loosened, LooserRule, Price, RulePrice};
 use crate::{SolveAnswer, Status};
 

@@ -7,6 +7,7 @@
 //! A price is a difference of two proved optima, all else as it is.
 
 mod answer;
+mod compared;
 mod conflict;
 mod loosen;
 mod request;

@@ -44,6 +44,8 @@ pub struct PriceRequest {
 pub struct KnownPrices {
     /// The answer with all rules, where its plan is proved best.
     pub with: Option<SolveAnswer>,
+    /// Plans that may keep all rules but one: of those that do, the search begins with the best.
+    pub plans: Vec<Plan>,
     /// Prices of an earlier answer. Those that are exact stay; of the others the search goes on
     /// with the plan.
     pub prices: Vec<RulePrice>,

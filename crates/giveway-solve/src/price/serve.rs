@@ -2,12 +2,11 @@
 
 use std::rc::Rc;
 
-use giveway_model::{
-    Cost, Costs, Fault, Instance, Objective, Plan, Version, check::check, sorting::map,
-};
+use giveway_model::{Fault, Instance, Objective, Plan, Version, check::check, sorting::map};
 
 use super::{
     Price, PriceAnswer, PriceRequest, RulePrice, SwitchOff,
+    compared::{compared, difference, known_so_far, narrow},
     conflict::{Unsolved, conflict},
     loosen::loosen,
     words,
@@ -91,7 +90,10 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
                 answer.pending += 1;
                 break;
             }
-            let from = known.and_then(|known| known.price(rule)?.plan.as_ref());
+            let from = known.into_iter().flat_map(|known| {
+                let earlier = known.price(rule).and_then(|price| price.plan.as_ref());
+                earlier.into_iter().chain(&known.plans)
+            });
             let mut side = pricing.price(rule, &all.answer, from, open(&rules[place..]));
             if let Some(before) = before(rule) {
                 narrow(&mut side, &before);
@@ -195,6 +197,7 @@ impl Pricing<'_, '_> {
             exact: false,
             without: map(std::iter::empty()),
             difference: map(std::iter::empty()),
+            range_of: None,
             at_least: None,
             at_most: None,
             plan: None,
@@ -203,16 +206,28 @@ impl Pricing<'_, '_> {
 
     /// The price of a rule: the best plan without it beside the best with it.
     ///
-    /// The search begins with a plan without it that is known, else with the plan that keeps all
-    /// rules: it keeps the others, too.
-    fn price(&self, rule: usize, with: &SolveAnswer, from: Option<&Plan>, parts: u32) -> RulePrice {
+    /// The search begins with the best plan without it that is known; that which keeps all rules
+    /// keeps the others, too.
+    fn price<'p>(
+        &self,
+        rule: usize,
+        with: &'p SolveAnswer,
+        from: impl Iterator<Item = &'p Plan>,
+        parts: u32,
+    ) -> RulePrice {
         let mut instance = self.instance.clone();
         instance.switch_off(|other| other == rule);
+        let objective = self.instance.objective();
+        let start = from.chain(&with.plan).filter_map(|plan| {
+            let report = check(&instance, plan);
+            let costs = report.costs.filter(|_| report.violations.is_empty())?;
+            Some((costs.vector(objective), plan))
+        });
+        let start = start.min_by(|(a, _), (b, _)| a.cmp(b));
         let Solved {
             answer: without, ..
-        } = self.solve(&instance, from.or(with.plan.as_ref()), parts);
+        } = self.solve(&instance, start.map(|(_, plan)| plan), parts);
         let mut price = self.unpriced(rule);
-        let objective = self.instance.objective();
         (price.price, price.exact) = compared(objective, with, &without);
         if let Some(costs) = without.costs.filter(|_| price.price != Price::Unknown) {
             let own = objective.costs().iter();
@@ -224,84 +239,11 @@ impl Pricing<'_, '_> {
             let own = objective.costs().iter();
             price.difference = map(own.map(|&cost| (cost, difference(with, without, cost))));
         }
-        if price.price == Price::Unknown
-            && let Some(&first) = objective.costs().first()
-        {
-            (price.at_least, price.at_most) = known_so_far(first, with, &without);
+        if price.price == Price::Unknown {
+            (price.range_of, price.at_least, price.at_most) =
+                known_so_far(objective, with, &without);
         }
         price.plan = without.plan;
         price
     }
-}
-
-pub(super) fn difference(with: Costs, without: Costs, cost: Cost) -> i64 {
-    i64::from(with.get(cost)) - i64::from(without.get(cost))
-}
-
-/// The price of a rule by the answers with it and without it, and whether it is exact.
-pub(super) fn compared(
-    objective: &Objective,
-    with: &SolveAnswer,
-    without: &SolveAnswer,
-) -> (Price, bool) {
-    let vector = |answer: &SolveAnswer| answer.costs.map(|costs| costs.vector(objective));
-    match (with.status, without.status) {
-        (Status::Optimal, Status::Optimal) => {
-            let (with, without) = (vector(with), vector(without));
-            match with.cmp(&without) {
-                std::cmp::Ordering::Equal => (Price::Free, true),
-                std::cmp::Ordering::Greater => (Price::Costs, true),
-                // No plan without a rule costs more than one with it.
-                std::cmp::Ordering::Less => (Price::Unknown, false),
-            }
-        }
-        (Status::Impossible, Status::Optimal | Status::Feasible) => {
-            let makespan = without.costs.map_or(0, |costs| costs.makespan);
-            // It is open whether there is a plan with the rule that takes as long.
-            let is_covered = with.reach.within().is_none_or(|within| makespan <= within);
-            if is_covered {
-                (Price::Decides, without.status == Status::Optimal)
-            } else {
-                (Price::Unknown, false)
-            }
-        }
-        (Status::Impossible, Status::Impossible) => (Price::None, true),
-        (
-            Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
-            Status::Optimal | Status::Feasible | Status::Impossible | Status::Unknown,
-        ) => (Price::Unknown, false),
-    }
-}
-
-/// Keeps what was proved of a price before, as long as it is not known.
-fn narrow(price: &mut RulePrice, before: &RulePrice) {
-    if price.price == Price::Unknown {
-        price.at_least = price.at_least.max(before.at_least);
-        let most = [price.at_most, before.at_most];
-        price.at_most = most.into_iter().flatten().min();
-        price.plan = price.plan.take().or_else(|| before.plan.clone());
-    }
-}
-
-/// The least and the most that a rule can cost in the first cost of the objective.
-fn known_so_far(
-    first: Cost,
-    with: &SolveAnswer,
-    without: &SolveAnswer,
-) -> (Option<i64>, Option<i64>) {
-    let has_plan = |answer: &SolveAnswer| answer.costs.is_some();
-    let most = |answer: &SolveAnswer| answer.costs.map(|costs| i64::from(costs.get(first)));
-    let least = |answer: &SolveAnswer| {
-        let bound = answer.bounds.get(&first).copied();
-        let optimum = answer.costs.filter(|_| answer.status == Status::Optimal);
-        bound
-            .or(optimum.map(|costs| costs.get(first)))
-            .map(i64::from)
-    };
-    if !has_plan(with) && with.status == Status::Impossible {
-        return (None, None);
-    }
-    let at_least = least(with).zip(most(without)).map(|(a, b)| (a - b).max(0));
-    let at_most = most(with).zip(least(without)).map(|(a, b)| a - b);
-    (at_least, at_most)
 }

@@ -15,7 +15,7 @@ use crate::{Status, explain};
 /// let price = RulePrice {
 ///     index: 0, kind: "gap".into(), name: None, price: Price::Costs, exact: true,
 ///     without: [(Cost::Makespan, 18)].into(), difference: [(Cost::Makespan, 2)].into(),
-///     at_least: None, at_most: None, plan: None,
+///     range_of: None, at_least: None, at_most: None, plan: None,
 /// };
 /// assert_eq!(tag(&Objective::default(), &price), "costs 2 steps of the makespan");
 /// ```
@@ -27,20 +27,24 @@ pub fn tag(objective: &Objective, price: &RulePrice) -> String {
         Price::None => tr!("a price" => "no plan without it, either").to_owned(),
         Price::Unknown => {
             let least = price.at_least.filter(|&least| least > 0);
-            match (objective.costs().first(), least, price.at_most) {
+            let first = objective.costs().first().copied();
+            match (price.range_of.or(first), least, price.at_most) {
                 (None, _, _) | (_, None, None) => tr!("a price" => "not known").to_owned(),
-                (Some(&cost), Some(least), Some(most)) if least < most && cost != Cost::Penalty => {
+                (Some(_), None, Some(0)) => {
+                    tr!("a price" => "costs nothing, as far as is known").to_owned()
+                }
+                (Some(cost), Some(least), Some(most)) if least < most && cost != Cost::Penalty => {
                     tr!(
                         "a price" => "costs {least} to {amount}",
                         least,
                         amount = amount(cost, most)
                     )
                 }
-                (Some(&cost), Some(least), _) => tr!(
+                (Some(cost), Some(least), _) => tr!(
                     "a price" => "costs at least {amount}",
                     amount = amount(cost, least)
                 ),
-                (Some(&cost), None, Some(most)) => tr!(
+                (Some(cost), None, Some(most)) => tr!(
                     "a price" => "costs at most {amount}",
                     amount = amount(cost, most)
                 ),
@@ -159,7 +163,12 @@ pub fn nothing_looser(status: Status, loosened: &Loosened) -> Option<&'static st
         (true, true, Status::Optimal | Status::Feasible | Status::Unknown) => {
             tr!("No looser form of this rule changes the costs.")
         }
-        (true, false, _) => tr!("Time ran out. A looser form of this rule may help."),
+        (true, false, Status::Impossible) => {
+            tr!("Time ran out before a looser form of this rule was found that leaves a plan.")
+        }
+        (true, false, Status::Optimal | Status::Feasible | Status::Unknown) => {
+            tr!("Time ran out before a looser form of this rule was found that changes the costs.")
+        }
     })
 }
 

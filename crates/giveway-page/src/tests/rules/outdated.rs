@@ -2,10 +2,10 @@
 
 use super::{act, answered, marked, solved};
 use crate::board::{reasons, rules_now};
-use crate::reduce::tests::after;
-use crate::rules::{RuleAction, list};
+use crate::reduce::tests::{after, stroke};
+use crate::rules::{RuleAction, card, list};
 use crate::words::standing;
-use crate::{Action, State};
+use crate::{Action, State, Tool};
 
 /// The solved scene with a limit of its aisle, which its plan does not keep.
 fn limited() -> State {
@@ -30,6 +30,26 @@ fn a_plan_that_breaks_a_newer_rule_is_red_on_the_spot() {
     assert_eq!(rules_now(&state).broken, [1]);
     let start = after(&state, [crate::tests::seek(0)]);
     assert!(rules_now(&start).broken.is_empty(), "not at other times");
+}
+
+#[test]
+fn a_stale_plan_judges_rules_as_long_as_nothing_else_has_changed() {
+    let writing = after(&limited(), [act(RuleAction::Edit(1))]);
+    let shown = card(&writing).unwrap();
+    let title = shown.judged.title;
+    assert!(
+        title.starts_with("This plan breaks it from 3 to 4"),
+        "{title}"
+    );
+    assert!(!shown.counts.is_empty());
+    let edited = after(&limited(), stroke(Tool::Obstacle, &[(6, 0)]));
+    let shown = card(&after(&edited, [act(RuleAction::Edit(1))])).unwrap();
+    let title = shown.judged.title;
+    assert!(
+        title.starts_with("The plan on the board is of the scene before"),
+        "{title}"
+    );
+    assert!(shown.counts.is_empty());
 }
 
 #[test]

@@ -111,6 +111,8 @@ class RulePrice(Record):
     without: Mapping[Cost, int] = optional(default_factory=dict)
     #: With it minus without it; a later cost may be negative.
     difference: Mapping[Cost, int] = optional(default_factory=dict)
+    #: The cost of the two below, where it is not the first: in those before it both sides are proved equal.
+    range_of: Cost | None = optional()
     #: The least and the most that it costs in the first cost, where the price is unknown.
     at_least: int | None = optional()
     at_most: int | None = optional()
