@@ -242,9 +242,9 @@ describe("rules that are there", () => {
       await row.waitFor();
       await eventually("all prices", () => inspector.locator(".rule-tag.busy").count(), (count) => count === 0);
       await inspector.getByRole("button", { name: "At most 1 robot in aisle 1: show and open" }).click();
-      await inspector.getByRole("button", { name: "Why is it worth 2 steps of the makespan?" }).click();
+      await inspector.getByRole("button", { name: "Show the plan without it" }).click();
       await playground.picture(`rule-beside-${theme}`);
-      await inspector.getByRole("button", { name: "Why is it worth 2 steps of the makespan?" }).click();
+      await inspector.getByRole("button", { name: "Show the plan without it" }).click();
       await inspector.getByRole("button", { name: "Why not a plan in which …?" }).click();
       await inspector.getByRole("button", { name: "Each cell stays free for 1 step behind any robot" }).click();
       await playground.picture(`rule-question-${theme}`);

@@ -19,7 +19,7 @@ const LATER = /^app-.*_later\.wasm$/;
  * that takes at 1.6 Mbit/s and 150 ms stands in docs/page.md.
  */
 const STAGES = [
-  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 32_800],
+  ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 33_200],
   ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 610_000],
   ["until it can solve", /^worker-|^solver-(?!.*_later)/, 770_000],
   ["until all of the page is there", LATER, 1_360_000],
