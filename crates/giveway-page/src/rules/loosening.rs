@@ -2,10 +2,11 @@
 
 use std::rc::Rc;
 
-use giveway_model::{Cost, Instance, tr};
+use giveway_model::{Agent, Cost, Instance, tr};
 use giveway_solve::price::{LooserRule, PriceAnswer, PriceRequest, words};
 
-use super::request;
+use super::card::plain;
+use super::{pieces, request};
 use crate::{Draft, State, Task};
 
 /// How a rule of a scene can be loosened, as far as it is known.
@@ -96,7 +97,8 @@ pub(super) fn part(state: &State, rule: usize) -> Option<LooserPart> {
             nothing: None,
         });
     };
-    let rows = found.looser.iter().map(|looser| row(told, looser));
+    let agents = &state.document.draft.scene().agents;
+    let rows = found.looser.iter().map(|looser| row(told, looser, agents));
     Some(LooserPart {
         is_looking,
         looser: rows.collect(),
@@ -104,12 +106,12 @@ pub(super) fn part(state: &State, rule: usize) -> Option<LooserPart> {
     })
 }
 
-fn row(told: &PriceAnswer, looser: &LooserRule) -> LooserRow {
+fn row(told: &PriceAnswer, looser: &LooserRule, agents: &[Agent]) -> LooserRow {
     let costs = told.objective.costs().iter();
     let saved = |cost: &Cost| Some((*cost, *looser.difference.get(cost)?));
     let mut saved = costs.filter_map(saved);
     LooserRow {
-        sentence: looser.rule.sentence(),
+        sentence: plain(&pieces(&looser.rule, agents, false)),
         costs: words::looser_costs(&told.objective, looser),
         saves: saved
             .find(|(_, by)| *by != 0)
