@@ -7,6 +7,9 @@ use giveway_page::rules::{
 };
 use giveway_page::timeline::Axis;
 use giveway_page::{Action, BoardAction, Tool};
+use gloo::timers::callback::Timeout;
+use wasm_bindgen::JsCast as _;
+use web_sys::HtmlElement;
 use yew::prelude::*;
 
 use super::back;
@@ -245,6 +248,7 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
     let add = Callback::from(move |event: MouseEvent| {
         send_it.emit(event);
         super::show_rules();
+        focus_rule();
     });
     let is_off = matches!(card.judged.ruling, Ruling::Fault | Ruling::InForce);
     if card.asks {
@@ -262,4 +266,17 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
             <button type="button" class="btn outline" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
         </footer>
     }
+}
+
+/// The rule that was written has the focus in the list.
+fn focus_rule() {
+    let focus = || {
+        let rule = gloo::utils::document().query_selector("#rules .rule.lit .rule-icon");
+        if let Ok(Some(rule)) = rule
+            && let Ok(rule) = rule.dyn_into::<HtmlElement>()
+        {
+            let _ = rule.focus();
+        }
+    };
+    Timeout::new(0, focus).forget();
 }

@@ -49,6 +49,7 @@ pub use shortest::{in_clash_robots, short_way};
 pub(crate) use times::broken;
 pub use times::{Stretch, TimesRow, in_lit_zone, times_row};
 pub use waits::waits_for;
+pub(crate) use who::with_names;
 pub(crate) use writing::Writing;
 
 /// What is shown of the rules, and written of one.

@@ -99,6 +99,9 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
 
 /// A rule from typed words, in which names of zones may stand without quotes.
 fn read(state: &State, text: &str) -> Result<Constraint, giveway_model::Fault> {
+    let agents = &state.document.draft.scene().agents;
+    let named = crate::rules::with_names(text, agents);
+    let text = named.as_deref().unwrap_or(text);
     let fault = match Constraint::from_words(text) {
         Err(fault) if !text.contains('\'') => fault,
         read => return read,

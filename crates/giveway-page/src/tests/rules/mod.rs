@@ -200,6 +200,10 @@ fn a_rule_is_edited_in_place_and_read_from_words() {
     let words = RuleAction::Read("at most 2 robots in zone 1 from 3 to 6".into());
     let unquoted = card(&after(&wrong, [act(words)])).unwrap();
     assert_eq!((unquoted.misread, unquoted.icon), (None, "capacity"));
+    let words = RuleAction::Read("at most 1 of all robots but A1 in zone 1".into());
+    let rest = after(&wrong, [act(words)]);
+    let rule = &rest.view.rules.writing.as_ref().unwrap().rule;
+    assert_eq!(rule.sentence(), "At most 1 of A2 and A3 in 'zone 1'");
     let put = after(&read, [act(RuleAction::Add)]);
     let rules = &put.document.draft.scene().constraints;
     assert_eq!((rules.len(), rules[1].kind_name()), (2, "closed"));
