@@ -18,6 +18,8 @@ const { devices } = createRequire(import.meta.url)("playwright-core");
 /** How long a step of a visit may take, in milliseconds: the programs are whole, and note what they do. */
 const WAITING = 120_000;
 const PROGRAMS = ["app", "solver"];
+/** How much slower a machine may be. */
+const SLOW = 8;
 /** From how many bytes on a function is listed by its own name. */
 const LARGE = 80;
 /** The number of one of several copies of a function, which every build gives anew. */
@@ -35,6 +37,7 @@ const ran = Object.fromEntries(PROGRAMS.map((name) => [name, new Set()]));
 for (const options of [{}, { welcome: true, theme: "dark" }, { ...devices["Pixel 7"], width: 390, height: 844 }, { locale: "de-DE" }]) {
   await visit(options);
   await visit(options, { atOnce: true });
+  await visit(options, { rate: SLOW });
 }
 await breakDown();
 await browser.close();
@@ -49,9 +52,13 @@ for (const name of PROGRAMS) {
   console.log(`${name}: ${functions.filter((one) => one.ran).length} of ${functions.length} functions ran, ${lines.length} lines`);
 }
 
-/** The playground is opened, plays, solves, and is looked at; `atOnce`: on a slow network, where nobody waits for it. */
-async function visit(options, { atOnce = false } = {}) {
+/**
+ * The playground is opened, plays, solves, and is looked at; `atOnce`: on a slow network, where nobody waits for it; `rate`:
+ * on a machine that is so many times slower, where more of what a search tells on its way is shown.
+ */
+async function visit(options, { atOnce = false, rate = 1 } = {}) {
   const { context, page } = await open(browser, { serviceWorkers: "block", ...options });
+  await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate });
   if (atOnce) {
     await slowDown(context, page);
     await page.addInitScript(pressAtOnce);
