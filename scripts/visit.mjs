@@ -54,11 +54,14 @@ for (const name of PROGRAMS) {
 
 /**
  * The playground is opened, plays, solves, and is looked at; `atOnce`: on a slow network, where nobody waits for it; `rate`:
- * on a machine that is so many times slower, where more of what a search tells on its way is shown.
+ * on a machine that is so many times slower, where each piece of what a search tells on its way is shown.
  */
 async function visit(options, { atOnce = false, rate = 1 } = {}) {
   const { context, page } = await open(browser, { serviceWorkers: "block", ...options });
   await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate });
+  if (rate > 1) {
+    await page.addInitScript(slowDownWorkers);
+  }
   if (atOnce) {
     await slowDown(context, page);
     await page.addInitScript(pressAtOnce);
@@ -98,6 +101,36 @@ async function breakDown() {
   await page.getByRole("alertdialog").waitFor();
   await note("app", page);
   await context.close();
+}
+
+/** What a worker tells comes piece by piece, so that each piece is shown; runs inside of the page. */
+function slowDownWorkers() {
+  const waiting = [];
+  let ticking;
+  const hand = () => {
+    const next = waiting.shift();
+    if (next) {
+      next();
+    } else {
+      ticking = clearInterval(ticking);
+    }
+  };
+  const slow = (listener) => function (event) {
+    waiting.push(() => listener.call(this, event));
+    ticking ??= setInterval(hand, 300);
+  };
+  const { prototype } = Worker;
+  const own = Object.getOwnPropertyDescriptor(prototype, "onmessage");
+  Object.defineProperty(prototype, "onmessage", {
+    ...own,
+    set(listener) {
+      own.set.call(this, listener && slow(listener));
+    },
+  });
+  prototype.addEventListener = function (type, listener, ...rest) {
+    const heard = type === "message" ? slow(listener) : listener;
+    EventTarget.prototype.addEventListener.call(this, type, heard, ...rest);
+  };
 }
 
 /** Presses the button that solves as soon as it is there; runs inside of the page. */
