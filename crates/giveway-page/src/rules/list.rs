@@ -167,10 +167,16 @@ pub fn list(state: &State) -> Option<List> {
     })
 }
 
-/// What the rules in force cost, in a few words; nothing where nobody asked.
+/// What the rules in force cost, in a few words; nothing where nobody asked, or not every price is known.
 fn summary(rows: &[Row]) -> Option<String> {
     let in_force = rows.iter().filter(|row| row.is_on);
     let prices: Vec<&Tag> = in_force.filter_map(|row| row.price.as_ref()).collect();
+    if prices
+        .iter()
+        .any(|price| !["cost", "free"].contains(&price.class))
+    {
+        return None;
+    }
     let costs = prices.iter().filter(|price| price.class == "cost").count();
     match prices.as_slice() {
         [] => None,

@@ -50,11 +50,17 @@ fn prices_that_are_left_open_go_on() {
         "Not every price could be proved within 30 seconds and the memory of Settings."
     );
     assert_eq!(texts(&open).len(), 2);
+    assert_eq!(
+        list(&open).unwrap().summary,
+        None,
+        "not every price is known"
+    );
 
     let again = after(&open, [act(RuleAction::Price)]);
     assert_eq!(list(&again).unwrap().left_open, None);
     let (_, second) = asked(&again);
     assert_eq!(second.known.unwrap().prices.len(), 2);
+    assert_eq!(list(&again).unwrap().summary, None);
     let still = answered_with(&again, Some(1));
     let why = list(&still).unwrap().left_open.unwrap();
     assert!(why.ends_with("Going on has brought nothing new; more time in Settings may."));
@@ -64,6 +70,8 @@ fn prices_that_are_left_open_go_on() {
         ["costs nothing", "costs 2 steps of the makespan"]
     );
     assert_eq!(list(&priced).unwrap().left_open, None);
+    let summary = list(&priced).unwrap().summary;
+    assert_eq!(summary.as_deref(), Some("1 of 2 rules costs something."));
 }
 
 #[test]
