@@ -48,6 +48,20 @@ describe("playing", () => {
     await playground.button("Pause").waitFor();
   }, MOVING);
 
+  flow("takes keys that come before the page was drawn anew", async (playground, { page }) => {
+    await playground.says(OPENING);
+    await playground.pause();
+    await playground.press("To start");
+    // One task for all of them: nothing is rendered in between, as on a slow machine.
+    await page.evaluate(() => {
+      for (const key of [".", ".", " ", " "]) {
+        document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+      }
+    });
+    await playground.button("Play").waitFor();
+    await playground.reaches(2);
+  });
+
   flow("shows on the board what the plan says, at every time", async (playground) => {
     await playground.says(OPENING);
     await playground.pause();

@@ -29,6 +29,7 @@ use crate::keep::{self, use_keep};
 use crate::keys::use_keys;
 use crate::language::use_language;
 use crate::lesson::use_course;
+use crate::newest::Newest;
 use crate::part::{keyed_part, part};
 use crate::paste::use_paste;
 use crate::present::use_presenting;
@@ -111,8 +112,9 @@ pub fn App() -> Html {
     use_colours(state.document.colours);
     glyph::set_looks(state.looks());
     let is_embedded = *use_memo((), |()| embed::is_embedded());
-    use_keys(&state, &send, &show);
-    use_paste(&state, &send, &show, is_embedded);
+    let newest = Newest::new(&shown);
+    use_keys(&newest, &send, &show);
+    use_paste(&newest, &send, &show, is_embedded);
     use_wide(&send);
     let is_printing = sheet::use_printing();
     // What is printed then is the report alone.
@@ -171,7 +173,7 @@ pub fn App() -> Html {
                     { part::<Dock>(DockProps { state: settled, send: send.clone() }) }
                 }
                 { notice::show(state.view.notice.as_ref(), &send) }
-                { part::<Drop>(DropProps { state: state.clone(), send: send.clone(), show: show.clone() }) }
+                { part::<Drop>(DropProps { newest, send: send.clone(), show: show.clone() }) }
                 { dialog(&panel, &state, &send, &show) }
             </div>
         </ContextProvider<Clock>>

@@ -10,13 +10,14 @@ use web_sys::{DataTransfer, Event};
 use yew::prelude::*;
 
 use crate::dialog::Panel;
+use crate::files;
 use crate::held::{Held, use_held};
-use crate::{Shown, files};
+use crate::newest::Newest;
 
 #[derive(Clone, PartialEq, Properties)]
 pub(crate) struct DropProps {
     /// The state, whose scene or map a file may need.
-    pub(crate) state: Shown,
+    pub(crate) newest: Newest,
     /// Takes the scene.
     pub(crate) send: Callback<Action>,
     /// Opens the question that some files ask.
@@ -81,7 +82,7 @@ fn listen(
                 event.prevent_default();
                 set_over(false);
                 let props = latest.get();
-                files::open(&props.state, data.files(), props.send, props.show);
+                files::open(&props.newest.get(), data.files(), props.send, props.show);
             }),
         ),
     ]

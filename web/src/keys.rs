@@ -14,7 +14,7 @@ use yew::prelude::*;
 use crate::Shown;
 use crate::board::copy_area;
 use crate::dialog::Panel;
-use crate::held::use_held;
+use crate::newest::Newest;
 
 /// Where a person types.
 pub(crate) const FIELDS: &str = "input, textarea, select, [contenteditable]";
@@ -25,10 +25,8 @@ const PRESSED: &str = "button, a, summary, label";
 
 /// Listens for keys that no place of the page took for itself.
 #[hook]
-pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<Panel>) {
-    let latest = use_held(|| state.clone());
-    latest.set(state.clone());
-    let (send, show) = (send.clone(), show.clone());
+pub(crate) fn use_keys(newest: &Newest, send: &Callback<Action>, show: &Callback<Panel>) {
+    let (newest, send, show) = (newest.clone(), send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
         let options = EventListenerOptions::enable_prevent_default();
@@ -37,11 +35,12 @@ pub(crate) fn use_keys(state: &Shown, send: &Callback<Action>, show: &Callback<P
                 let Some(event) = event.dyn_ref::<KeyboardEvent>() else {
                     return;
                 };
-                let command = wanted(event, &latest.get());
+                let state = newest.get();
+                let command = wanted(event, &state);
                 let Some(command) = command else { return };
                 event.prevent_default();
                 match command {
-                    Command::Act(Action::Area(AreaAction::Copy)) => copy_area(&latest.get(), &send),
+                    Command::Act(Action::Area(AreaAction::Copy)) => copy_area(&state, &send),
                     Command::Act(action) => {
                         let picks = matches!(
                             action,

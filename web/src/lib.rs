@@ -27,6 +27,7 @@ mod keep;
 mod keys;
 mod language;
 mod lesson;
+mod newest;
 mod notice;
 mod opening;
 mod paper;

@@ -13,21 +13,19 @@ use yew::platform::spawn_local;
 use yew::prelude::*;
 
 use crate::dialog::Panel;
-use crate::held::use_held;
 use crate::keys::{FIELDS, dialog_is_open, is_in};
+use crate::newest::Newest;
 use crate::{Shown, files, support};
 
 /// Listens for what is pasted; not inside another page, where nothing is edited.
 #[hook]
 pub(crate) fn use_paste(
-    state: &Shown,
+    newest: &Newest,
     send: &Callback<Action>,
     show: &Callback<Panel>,
     is_embedded: bool,
 ) {
-    let latest = use_held(|| state.clone());
-    latest.set(state.clone());
-    let (send, show) = (send.clone(), show.clone());
+    let (newest, send, show) = (newest.clone(), send.clone(), show.clone());
     use_effect_with((), move |()| {
         let window = gloo::utils::window();
         let options = EventListenerOptions::enable_prevent_default();
@@ -38,11 +36,11 @@ pub(crate) fn use_paste(
             let text = data.get_data("text/plain").unwrap_or_default();
             let copied = data.files().filter(|files| files.length() > 0);
             if copied.is_some() {
-                let state = latest.get();
+                let state = newest.get();
                 files::open(&state, copied, send.clone(), show.clone());
             } else if !text.trim().is_empty() {
                 let in_table = is_in(event, ".rgrid");
-                take(&latest.get(), &text, in_table, &send, &show);
+                take(&newest.get(), &text, in_table, &send, &show);
             } else {
                 return;
             }
