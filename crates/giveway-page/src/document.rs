@@ -11,6 +11,7 @@ use crate::front::Front;
 use crate::ledger::Ledger;
 use crate::order::OrderKnown;
 use crate::planners::Runs;
+use crate::rules::Pricing;
 use crate::{Activity, Answer, Asking, Colours, Draft, Looks, Mode};
 
 /// All that a person made or got and would miss. Undo, what the browser keeps,
@@ -37,6 +38,8 @@ pub struct Document {
     /// What all best plans have in common; it may be of an older answer, see
     /// [`Document::freedom`].
     pub(crate) found_freedom: Option<Rc<Freedom>>,
+    /// What the rules cost; it may be of an older draft, see [`Document::prices`].
+    pub(crate) found_prices: Option<Rc<Pricing>>,
     /// Who costs whom; it may be of an older answer, see [`Document::ledger`].
     pub(crate) found_ledger: Option<Rc<Ledger>>,
     /// Who passes a cell after whom; it may be of an older answer, see [`Document::order`].
@@ -62,6 +65,7 @@ impl Document {
             found_plans: None,
             checked: None,
             found_freedom: None,
+            found_prices: None,
             found_ledger: None,
             found_order: None,
             asked: Rc::default(),

@@ -29,6 +29,9 @@ fn same_document(one: &Document, two: &Document) -> bool {
         && Rc::ptr_eq(&one.draft, &two.draft)
         && same(one.answer.as_ref(), two.answer.as_ref())
         && same(one.found_front.as_ref(), two.found_front.as_ref())
+        && same(one.found_prices.as_ref(), two.found_prices.as_ref())
+        && same(one.found_ledger.as_ref(), two.found_ledger.as_ref())
+        && Rc::ptr_eq(&one.asked, &two.asked)
         && same(
             one.checked.as_ref().map(|(_, report)| report),
             two.checked.as_ref().map(|(_, report)| report),

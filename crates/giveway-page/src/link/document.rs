@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use super::text::escape;
-use super::{From, answers, ask, audit, change, claim, knowledge, plan, scene, steering};
+use super::{From, answers, ask, audit, change, claim, found, knowledge, plan, scene, steering};
 use crate::{Answer, Colours, Document, Looks};
 
 /// The document as parts joined by `&`. What is written for anywhere holds no
@@ -72,7 +72,7 @@ fn answered(answer: &Answer, whom: From) -> String {
 
 /// What only this browser keeps.
 fn kept(document: &Document) -> String {
-    let mut text = String::new();
+    let mut text = found::write(document);
     if let Some(stale) = document.answer.as_ref().filter(|_| document.is_stale()) {
         let whole = Document::answered(stale.draft.clone(), Some(stale.clone()));
         text += "&stale=";

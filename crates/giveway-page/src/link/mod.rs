@@ -14,6 +14,7 @@ mod book;
 mod change;
 mod claim;
 mod document;
+mod found;
 mod kin;
 mod knowledge;
 mod preferences;

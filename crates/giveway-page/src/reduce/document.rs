@@ -203,6 +203,7 @@ fn edited(document: &Document, edits: &[Edit]) -> Result<Option<Document>, Notic
             edit if edit.is_afresh() => {
                 after.answer = None;
                 after.found_front = None;
+                after.found_prices = None;
                 after.mode = after.mode.with(None);
                 after.leave_audit();
             }

@@ -2,6 +2,8 @@
 //! heard, and each kind of answer goes to the part that asked for it.
 
 use giveway_model::tr_data;
+use std::rc::Rc;
+
 use giveway_solve::{Progress, Refusal, Response};
 
 use super::{ask, change, freedom, inside, ledger, order, planners, prices, proof, sizing, solve};
@@ -56,9 +58,9 @@ fn progress(state: &mut State, id: u64, event: Progress) {
         }
         (Task::Explain(_), Progress::Explained { answer }) => ask::learn(state, *answer),
         (Task::Freedom(_), Progress::Freedom { answer }) => freedom::learn(state, *answer),
-        (Task::Price(_, request), Progress::Priced { answer }) => {
-            let loosens = request.loosen.is_some();
-            prices::learn(state, *answer, loosens);
+        (Task::Price(draft, request), Progress::Priced { answer }) => {
+            let (draft, request) = (Rc::clone(draft), Rc::clone(request));
+            prices::learn(state, &draft, &request, *answer);
         }
         (Task::Delays(_), Progress::Delays { answer }) => ledger::learn(state, *answer),
         (
@@ -87,8 +89,8 @@ fn respond(state: &mut State, id: u64, response: Response) {
         (Task::Certify(run), Response::Certified(report)) => proof::checked(state, &run, *report),
         (Task::Export(_), Response::Exported(answer)) => proof::exported(state, *answer),
         (Task::Freedom(_), Response::Freedom(answer)) => freedom::learn(state, *answer),
-        (Task::Price(_, request), Response::Priced(answer)) => {
-            prices::learn(state, *answer, request.loosen.is_some());
+        (Task::Price(draft, request), Response::Priced(answer)) => {
+            prices::learn(state, &draft, &request, *answer);
         }
         (Task::Delays(_), Response::Delays(answer)) => ledger::learn(state, *answer),
         (Task::Order(request), Response::Order(answer)) => {

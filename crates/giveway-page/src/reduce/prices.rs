@@ -4,11 +4,11 @@
 use std::rc::Rc;
 
 use giveway_model::tr_data;
-use giveway_solve::price::PriceAnswer;
+use giveway_solve::price::{PriceAnswer, PriceRequest};
 
 use super::{ask, document, rules, solve};
 use crate::rules::{Lit, Loosening, Pricing, loosen_request, looser, looser_costs, request};
-use crate::{Edit, RuleEdit, State, Task};
+use crate::{Draft, Edit, RuleEdit, State, Task};
 
 /// Asks what each rule costs.
 pub(super) fn price(state: &mut State) {
@@ -27,7 +27,7 @@ pub(super) fn price(state: &mut State) {
         Rc::make_mut(&mut told).pending = open as u32;
         told
     });
-    state.view.rules.prices = Some(Rc::new(Pricing {
+    state.document.found_prices = Some(Rc::new(Pricing {
         draft: Rc::clone(&draft),
         within: state.document.within,
         told,
@@ -87,14 +87,22 @@ pub(super) fn take_looser(state: &mut State, place: usize) {
     }
 }
 
-/// More became known of the prices, or of how a rule can be loosened.
-pub(super) fn learn(state: &mut State, told: PriceAnswer, loosens: bool) {
-    let rules = &mut state.view.rules;
-    if loosens {
-        if let Some(loosening) = &mut rules.loosening {
+/// More became known of the prices, or of how a rule can be loosened. The draft on the board may
+/// be another one by now.
+pub(super) fn learn(
+    state: &mut State,
+    draft: &Rc<Draft>,
+    request: &PriceRequest,
+    told: PriceAnswer,
+) {
+    let found = state.document.found_prices.as_mut();
+    let found =
+        found.filter(|prices| Rc::ptr_eq(&prices.draft, draft) && prices.within == request.within);
+    if request.loosen.is_some() {
+        if let Some(loosening) = &mut state.view.rules.loosening {
             Rc::make_mut(loosening).told = Some(Rc::new(told));
         }
-    } else if let Some(prices) = &mut rules.prices {
+    } else if let Some(prices) = found {
         Rc::make_mut(prices).told = Some(Rc::new(told));
     }
 }

@@ -69,8 +69,6 @@ pub struct RulesView {
     pub(crate) shows_all_times: bool,
     /// Where a stale plan breaks rules that came after it.
     pub(crate) outdated: outdated::Known,
-    /// What the rules of a scene cost; it may be of an older scene.
-    pub(crate) prices: Option<Rc<Pricing>>,
     /// Rules and facts that leave no plan, as they were answered last; they may be of an older
     /// scene.
     pub(crate) clash: Option<Rc<Clash>>,

@@ -8,7 +8,7 @@ use giveway_model::{Plan, tr};
 use giveway_solve::price::{KnownPrices, Price, PriceAnswer, PriceRequest, RulePrice, words};
 use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
 
-use crate::{Answer, Draft, State, Task};
+use crate::{Answer, Document, Draft, State, Task};
 
 /// So many plans of scenes before are handed on.
 const MOST_PLANS: usize = 8;
@@ -179,6 +179,17 @@ fn price(state: &State, rule: usize) -> Option<&RulePrice> {
         .find(|price| price.index as usize == rule)
 }
 
+impl Document {
+    /// What is known of the prices of the rules of the draft on the board.
+    pub(crate) fn prices(&self) -> Option<&Pricing> {
+        let prices = self.found_prices.as_deref();
+        prices.filter(|prices| {
+            let is_same = Rc::ptr_eq(&prices.draft, &self.draft) || prices.draft == self.draft;
+            is_same && prices.within == self.within
+        })
+    }
+}
+
 impl State {
     /// The best plan without a rule, where it is opened beside this one.
     pub(crate) fn plan_without(&self) -> Option<&Without> {
@@ -195,12 +206,7 @@ impl State {
 
     /// What is known of the prices of the rules of the scene on the board.
     pub(crate) fn prices(&self) -> Option<&Pricing> {
-        let prices = self.view.rules.prices.as_deref();
-        let draft = &self.document.draft;
-        prices.filter(|prices| {
-            let is_same = Rc::ptr_eq(&prices.draft, draft) || prices.draft == *draft;
-            is_same && prices.within == self.document.within
-        })
+        self.document.prices()
     }
 }
 

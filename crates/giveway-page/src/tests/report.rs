@@ -122,3 +122,25 @@ fn questions_asked_before_are_told() {
         "the open one is of this plan"
     );
 }
+
+#[test]
+fn what_a_report_tells_is_there_after_a_reload() {
+    let state = asked(
+        &asked(&corridor(), Question::Makespan),
+        Question::SumOfCosts,
+    );
+    let state = answered(&after(
+        &state,
+        [
+            Action::Ask(AskAction::Close),
+            Action::Ledger(LedgerAction::AddUp),
+        ],
+    ));
+    let kept = crate::link::keep(&state);
+    let again = crate::link::kept(&kept).unwrap();
+    assert_eq!(told(&again), told(&state));
+    assert_eq!(told(&again).known.questions.len(), 2);
+    assert!(again.document.ledger().is_some());
+    assert_eq!(crate::link::keep(&again), kept);
+    assert!(!corridor().is_kept_alike(&state));
+}

@@ -13,7 +13,7 @@ use giveway_model::{Agent, Plan, Scene, tr};
 
 use super::text::{numbers, unescape};
 use super::{
-    From, IMPOSSIBLE, LONGEST, Linked, Source, answers, ask, change, knowledge, plan, scene,
+    From, IMPOSSIBLE, LONGEST, Linked, Source, answers, ask, change, found, knowledge, plan, scene,
 };
 use crate::audit::Audit;
 use crate::front::Front;
@@ -138,12 +138,15 @@ impl Reader {
         if let Some(text) = parts.read("stale", unescape)? {
             document.answer = self.read(&text, From::Here)?.document.answer;
         }
+        if let Some(prices) = parts.read("prices", |text| found::prices(document, text))? {
+            document.found_prices = prices.map(Rc::new);
+        }
         if let Some(audit) = self.audit(document, parts)? {
             return audited(document, audit, parts);
         }
-        let Some(about) = document.answer.clone() else {
+        let Some(mut about) = document.answer.clone() else {
             let of_an_answer = [
-                "front", "report", "listed", "compared", "own", "asked", "ours",
+                "front", "report", "listed", "compared", "own", "asked", "ours", "ledger", "past",
             ];
             let found = of_an_answer.iter().find(|key| parts.get(key).is_some());
             return found.map_or(Ok(()), |key| Err(broken(key)));
@@ -153,12 +156,19 @@ impl Reader {
             let mut points = front.points.iter();
             // The plan shown is the very one of the front.
             if let Some(point) = points.find(|point| point.plan() == about.plan()) {
+                about = Rc::clone(point);
                 document.answer = Some(Rc::clone(point));
             }
             document.found_front = Some(Rc::new(front));
         }
         if let Some(report) = parts.read("report", answers::read)?.flatten() {
             document.checked = Some((about.clone(), Rc::new(report)));
+        }
+        if let Some(ledger) = parts.read("ledger", |text| found::ledger(&about, text))? {
+            document.found_ledger = ledger.map(Rc::new);
+        }
+        if let Some(past) = parts.read("past", |text| found::past(&about, text))? {
+            document.asked = Rc::new(past);
         }
         document.mode = mode(&about, parts)?;
         Ok(())

@@ -38,7 +38,7 @@ const PUBLIC: [&str; 11] = [
 ];
 
 /// What only this browser writes.
-const HERE: [&str; 15] = [
+const HERE: [&str; 18] = [
     "ours",
     "claim",
     "steps",
@@ -54,6 +54,9 @@ const HERE: [&str; 15] = [
     "shows-other",
     "told",
     "told-report",
+    "prices",
+    "ledger",
+    "past",
 ];
 
 /// What belongs to a scene and is no part of an answer: the version, the horizon that

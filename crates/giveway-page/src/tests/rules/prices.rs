@@ -80,7 +80,7 @@ fn what_is_proved_of_a_price_stays_while_the_others_are_asked_for() {
     let priced = answered_with(&after(&added, [act(RuleAction::Price)]), None);
     // As if the first had been left open.
     let mut half = priced;
-    let prices = half.view.rules.prices.as_mut().unwrap();
+    let prices = half.document.found_prices.as_mut().unwrap();
     let told = std::rc::Rc::make_mut(prices).told.as_mut().unwrap();
     let first = &mut std::rc::Rc::make_mut(told).prices[0];
     (first.price, first.exact) = (Price::Unknown, false);
@@ -118,4 +118,38 @@ fn prices_within_another_horizon_are_other_prices() {
     assert!(known.with.is_none() && known.prices.is_empty());
     let back = after(&bounded, [Action::Undo]);
     assert_eq!(texts(&back).len(), 2);
+}
+
+#[test]
+fn prices_are_there_after_a_reload() {
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let priced = answered_with(&after(&added, [act(RuleAction::Price)]), None);
+    let kept = crate::link::keep(&priced);
+    let again = crate::link::kept(&kept).unwrap();
+    assert_eq!(texts(&again), texts(&priced));
+    assert_eq!(texts(&again).len(), 2);
+    assert_eq!(crate::link::keep(&again), kept);
+    let before = crate::link::keep(&added);
+    assert!(!added.is_kept_alike(&priced) && before != kept);
+    let bounded = after(&again, [Action::Edit(Edit::Within(Some(12)))]);
+    assert_eq!(texts(&bounded), [""; 0]);
+}
+
+#[test]
+fn prices_of_a_scene_that_is_left_are_told_of_no_other() {
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let priced = answered_with(&after(&added, [act(RuleAction::Price)]), None);
+    // Asked again, for another horizon, and taken back before the answer came.
+    let bounded = after(&priced, [Action::Edit(Edit::Within(Some(12)))]);
+    let asking = after(&bounded, [act(RuleAction::Price)]);
+    let (job, request) = asked(&asking);
+    let back = after(&asking, [Action::Undo]);
+    let response = Box::new(serve(&Request::Price(request), &SilentHost));
+    let told = after(
+        &back,
+        [Action::Worker(WorkerAction::Respond { job, response })],
+    );
+    assert_eq!(texts(&told), texts(&priced));
+    let prices = told.document.prices().unwrap();
+    assert_eq!(prices.within, None);
 }
