@@ -16,7 +16,7 @@ describe("asking why", () => {
     await playground.press("To start");
     await about(playground, "A2");
     await ask(playground, /^Why does A2 wait at \(3, 1\)\?/);
-    await told(playground, "Needless");
+    await told(playground, "same cost");
     const costs = playground.inspector.getByRole("table", { name: "Who pays" });
     assert.match(await costs.innerText(), /A1 arrives\s+3\s+4\s+\+1/);
     await playground.picture("needless");
@@ -103,7 +103,7 @@ describe("asking why", () => {
     await playground.press("To end");
     for (const question of [/^Why does it take this long\?/, /^Why are there not fewer charges\?/]) {
       await ask(playground, question);
-      await told(playground, /Necessary|Costly|Needless/);
+      await told(playground, /Necessary|Costly|Needless|same cost/);
       await playground.answered();
       await playground.key("Escape");
       await eventually("the questions to be back", () => asks(playground, question).count());

@@ -76,7 +76,7 @@ describe("the layout", () => {
       await answered(playground);
       const board = await playground.board.boundingBox();
       assert.ok(board.height <= height * 0.35 + 1, `the board has ${board.height}`);
-      const verdict = await playground.inspector.getByText("Needless").boundingBox();
+      const verdict = await playground.inspector.getByText("same cost", { exact: true }).first().boundingBox();
       const words = await playground.inspector.getByText(/^A2 lets A1 pass: /).first().boundingBox();
       const foot = await playground.button("Show the other plan").boundingBox();
       assert.ok(verdict.y > board.y + board.height && words.y + words.height <= foot.y, "the verdict is not in sight");

@@ -57,7 +57,7 @@ describe("a broken worker", () => {
     await playground.example("Who waits?");
     await playground.says(/^Optimal: /);
     await ask(playground);
-    await playground.inspector.getByText("Needless").first().waitFor();
+    await playground.inspector.getByText("same cost").first().waitFor();
     // The solver is still there.
     await playground.example("Crossing");
     await playground.says(/^Optimal: /);
@@ -70,7 +70,7 @@ describe("a broken worker", () => {
     const ended = [];
     for (const solver of solvers) solver.on("close", () => ended.push(solver.url()));
     await ask(playground);
-    await playground.inspector.getByText("Needless").first().waitFor();
+    await playground.inspector.getByText("same cost").first().waitFor();
     assert.equal(solvers.length, 1);
     assert.deepEqual(ended, [], "ended for a question");
     assert.equal(page.workers().length, 2);

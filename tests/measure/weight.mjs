@@ -19,6 +19,20 @@ const TARGET = "wasm32-unknown-unknown";
 const FEATURES = ["bulk-memory", "reference-types", "sign-ext", "nontrapping-float-to-int", "multivalue", "mutable-globals"]
   .map((feature) => `--enable-${feature}`);
 
+/** The modules that rules of a scene's own added, from the model to the page; what is inlined elsewhere is not seen. */
+const OF_RULES = [
+  "giveway_model::constraint", "giveway_model::check::constraints", "giveway_model::check::over_time::constraints",
+  "giveway_model::change::apply::constraints", "giveway_model::snapshot::rules",
+  "giveway_page::rules", "giveway_page::board::rules", "giveway_page::board::zones", "giveway_page::edit::rules",
+  "giveway_page::reduce::rules", "giveway_page::reduce::prices",
+  "giveway_web::board::rules", "giveway_web::inspector::rules", "giveway_web::inspector::rule_card", "giveway_web::inspector::slot_editor",
+  "giveway_web::timeline::rules", "giveway_web::timeline::clash",
+  "giveway_picture::rules", "giveway_picture::draw::rules",
+  "giveway_solve::price", "giveway_solve::encode::rules", "giveway_solve::change::rules", "giveway_solve::freedom::rules",
+  "giveway_planners::rules", "giveway_planners::lacam::constraints", "giveway_planners::bottleneck", "giveway_planners::local::rules",
+];
+const RULES = new RegExp(`(${OF_RULES.join("|")})\\b`);
+
 /** Groups of functions by their names. They overlap: a map of the solver's is of both. */
 const GROUPS = [
   ["the page's elements", /giveway_web/],
@@ -33,6 +47,7 @@ const GROUPS = [
   ["reading and writing JSON", /serde/],
   ["messages between page and worker", /borsh/],
   ["maps and sets in order", /collections::btree/],
+  ["rules of a scene's own", RULES],
   ["sorting", /slice::sort/],
   ["floats as text", /flt2dec|dec2flt/],
 ];
@@ -47,13 +62,14 @@ try {
   const names = programs(root).map(({ name }) => name);
   build(names);
   const parts = names.flatMap(partsOf);
+  const rules = names.flatMap(rulesOf);
   const tables = PROGRAMS.map(([program, name]) => {
     run("wasm-dis", ...FEATURES, at(`${program}.whole.wasm`), "-o", at(`${program}.wat`));
     const text = readFileSync(at(`${program}.wat`), "utf8").split("\n");
     const whole = weight(text, null);
     return table(name, whole, GROUPS.map(([group, names]) => [group, weight(text, names)]));
   });
-  const written = document(parts, tables);
+  const written = document(parts, rules, tables);
   writeFileSync(join(root, "docs/weight.md"), written);
   console.log(`${written}\nwritten: docs/weight.md`);
 } finally {
@@ -83,6 +99,22 @@ function partsOf(name) {
   }
   run("giveway-bind", "split", at("first.wasm"), at("later.wasm"), list);
   return [[`${name}, its first part`, optimised("first.wasm")], [`${name}, what comes later`, optimised("later.wasm")]];
+}
+
+/** What the first part of a program would weigh less by, if rules of a scene's own came later. */
+function rulesOf(name) {
+  const list = listOf(root, name);
+  if (!existsSync(list)) {
+    return [];
+  }
+  const first = (modules) => {
+    copyFileSync(at(`${name}.whole.wasm`), at("first.wasm"));
+    writeFileSync(at("later.txt"), readFileSync(list, "utf8") + modules.map((module) => `${module}\n`).join(""));
+    run("giveway-bind", "split", at("first.wasm"), at("later.wasm"), at("later.txt"));
+    return optimised("first.wasm");
+  };
+  const [with_, without_] = [first([]), first(OF_RULES)];
+  return [[name, with_.map((bytes, place) => bytes - without_[place])]];
 }
 
 function optimised(file) {
@@ -133,8 +165,9 @@ ${rows.map(row).join("\n")}
 `;
 }
 
-function document(parts, tables) {
+function document(parts, rules, tables) {
   const rows = parts.map(([name, [bytes, compressed]]) => `| ${name} | ${kilobytes(bytes)} | ${kilobytes(compressed)} |`);
+  const ofRules = rules.map(([name, [, compressed]]) => `${kilobytes(compressed)} kB of ${name}`).join(", ");
   return `# What the page weighs
 
 \`./x weigh\` writes this file: the Wasm of the page's programs, in kB, as it is and compressed by brotli. The page and its
@@ -145,6 +178,8 @@ in tests/e2e/size.test.mjs.
 | program | Wasm | compressed |
 |---|---:|---:|
 ${rows.join("\n")}
+
+If all modules of rules of a scene's own came later, the first parts would weigh less by ${ofRules} (compressed).
 
 What the page and its solver consist of, both parts together: a row tells how much smaller a program is without the functions
 of that group. Groups overlap, and what is left of two may compress less well than both, so the rows do not add up.

@@ -3,7 +3,7 @@
 use giveway_model::{Ground, tr};
 
 use super::{Cast, MarkKind, SpotSign, Track};
-use crate::rules::in_clash_robots;
+use crate::rules::{in_clash_robots, in_lit_zone};
 use crate::{State, freedom};
 
 /// A sign of the board.
@@ -71,6 +71,8 @@ pub enum Kind {
     Closed,
     /// A one-way lane.
     OneWay,
+    /// Over a lane of the timeline: the robot is in the zone that is lit.
+    InZone,
 }
 
 impl Kind {
@@ -108,6 +110,7 @@ impl Kind {
             Self::AtMost => tr!("At most this many"),
             Self::Closed => tr!("Closed now"),
             Self::OneWay => tr!("One way"),
+            Self::InZone => tr!("In that zone, in the timeline"),
         }
     }
 
@@ -150,6 +153,7 @@ impl Kind {
             Self::AtMost => "k-most",
             Self::Closed => "k-shut",
             Self::OneWay => "k-way",
+            Self::InZone => "k-in-zone",
         }
     }
 }
@@ -170,6 +174,9 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
     let has_sign = |sign| reasons.spots.iter().any(|spot| spot.sign == sign);
     let is_asked = state.document.mode.asking().is_some();
     let [zone, most, closed, lane] = super::rules::signs(state);
+    let mut names = state.world().agents().iter().map(|agent| &agent.name);
+    let is_lit =
+        state.lit_rule().is_some() && names.any(|name| !in_lit_zone(state, name).is_empty());
     let signs = [
         (
             Kind::Problem,
@@ -192,6 +199,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::AtMost, most),
         (Kind::Closed, closed),
         (Kind::OneWay, lane),
+        (Kind::InZone, is_lit),
         (Kind::Goal, has_mark(MarkKind::Goal)),
         (Kind::Waypoint, has_mark(MarkKind::Waypoint)),
         (Kind::Ahead, state.view.layers.trails && moves),

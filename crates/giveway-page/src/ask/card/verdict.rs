@@ -22,7 +22,13 @@ pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> O
         // Nothing is unknown for good yet.
         badge.word = "";
     }
-    let title = title(asking, told).unwrap_or_else(|| heading(told));
+    let title = title(asking, told);
+    if told.verdict == Verdict::Needless && title.is_some() {
+        // The title says what could be instead: "needless" beside it reads as if nothing had been
+        // the reason.
+        badge.word = "";
+    }
+    let title = title.unwrap_or_else(|| heading(told));
     let sentence = if is_coming {
         so_far(asking, told)
     } else {

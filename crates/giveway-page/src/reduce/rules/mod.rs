@@ -10,7 +10,7 @@ use super::{ask, document, prices, solve};
 use crate::gesture::Hold;
 use crate::rules::{Lit, RuleAction, Slot, Value, Writing};
 use crate::{Edit, RuleEdit, Selection, State, Tab};
-use write::{add, ask_why, begin, change, edit_rule, of_zone, question, rename};
+use write::{add, ask_why, begin, cancel, change, edit_rule, of_zone, question, rename};
 
 #[inline(never)]
 pub(super) fn rules(state: &mut State, action: RuleAction) {
@@ -91,7 +91,7 @@ pub(super) fn rules(state: &mut State, action: RuleAction) {
                 add(state, &writing);
             }
         }
-        RuleAction::Cancel => state.view.rules.writing = None,
+        RuleAction::Cancel => cancel(state),
         RuleAction::Price if state.is_pricing() => solve::cancel(state),
         RuleAction::Price => prices::price(state),
     }

@@ -7,7 +7,7 @@ use giveway_model::{Constraint, Question, tr_data};
 
 use super::super::{ask, document};
 use super::{edit, list};
-use crate::rules::{Lit, Outdated, Value, Writing};
+use crate::rules::{Lit, Outdated, Value, Writing, zone_of};
 use crate::{Edit, Notice, RuleEdit, Selection, State, Tab, Tool};
 
 /// Begins to write a rule, where rules can be written.
@@ -115,6 +115,24 @@ fn shows_twin(state: &mut State, rule: &Constraint, but: Option<usize>) -> bool 
     let told = tr_data!("This rule is in force already: {rule}.", rule = sentence);
     state.view.notice = Some(Notice::information(&told));
     true
+}
+
+/// Leaves the rule that was written out. A zone that is new stays, which is said.
+pub(super) fn cancel(state: &mut State) {
+    let writing = state.view.rules.writing.take();
+    let zone = writing.as_deref().and_then(Writing::zone);
+    let scene = state.document.draft.scene();
+    let is_used = |zone: &str| {
+        let mut rules = scene.constraints.iter();
+        rules.any(|rule| zone_of(&rule.kind) == Some(zone))
+    };
+    if let Some(zone) = zone.filter(|zone| !is_used(zone)) {
+        let told = tr_data!(
+            "{zone} stays marked. Without a rule it changes nothing; Undo takes it back.",
+            zone = zone.to_owned()
+        );
+        state.view.notice = Some(Notice::information(&told));
+    }
 }
 
 /// Adds the rule that was written, as one step of undo.

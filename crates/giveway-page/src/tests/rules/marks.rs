@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Constraint};
 
-use super::{act, fresh, marked};
+use super::{act, fresh, marked, solved};
 use crate::draw::{Shape, row};
 use crate::reduce::tests::{after, stroke};
 use crate::rules::{RuleAction, card};
@@ -207,4 +207,22 @@ fn a_stroke_from_a_cell_of_a_zone_goes_on_with_it_and_a_press_takes_the_cell_awa
         Action::Board(BoardAction::Release),
     ];
     assert_eq!(cells(&after(&longer, press)), 3);
+}
+
+#[test]
+fn a_zone_whose_rule_is_left_out_stays_and_says_so() {
+    let cancelled = after(&marked(), [act(RuleAction::Cancel)]);
+    assert!(card(&cancelled).is_none());
+    assert_eq!(cancelled.document.draft.scene().zones.len(), 1);
+    let told = cancelled.view.notice.as_ref().unwrap().sentence();
+    assert_eq!(
+        told,
+        "zone 1 stays marked. Without a rule it changes nothing; Undo takes it back."
+    );
+    let back = after(&cancelled, [Action::Undo]);
+    assert!(back.document.draft.scene().zones.is_empty());
+    // With a rule of its own there is nothing to say.
+    let added = solved(&after(&marked(), [act(RuleAction::Add)]));
+    let edited = after(&added, [act(RuleAction::Edit(0)), act(RuleAction::Cancel)]);
+    assert!(edited.view.notice.is_none());
 }

@@ -3,6 +3,7 @@
 use giveway_model::Scene;
 
 use super::{act, marked, scene, solved};
+use crate::board::{Cast, Kind, legend};
 use crate::reduce::tests::after;
 use crate::rules::{Lit, RuleAction, Value, card, in_lit_zone, times_row};
 use crate::steering::Lead;
@@ -68,7 +69,10 @@ fn a_lit_zone_shows_who_is_in_it_when() {
         assert_eq!(stay.when, format!("from {} to {}", times[0].0, times[0].1));
     }
     assert!(in_lit_zone(&state, "A3").is_empty());
+    let explains = |state: &State| legend(state, &Cast::of(state)).contains(&Kind::InZone);
+    assert!(explains(&state), "the legend says what the lines are");
     let dark = after(&state, [act(RuleAction::Light(None))]);
+    assert!(!explains(&dark));
     assert!(in_lit_zone(&dark, "A1").is_empty());
 }
 
