@@ -135,6 +135,8 @@ pub fn App() -> Html {
         || giveway_page::ledger::column(&state).is_some()
         || state.shows_order()
         || state.is_writing_rule();
+    // On a phone the board has its place before the first cell is marked, and keeps it.
+    let is_marking = state.view.tool.is_of_rules() && state.document.mode.is_editing();
     // For the places that show nothing of a stroke on its way.
     let settled = state.settled();
     let has_dock = state
@@ -143,7 +145,7 @@ pub fn App() -> Html {
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> key={built} context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), is_marking.then_some("marking"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
                 if is_presented {
                     { present::head(&state, &send) }
                 } else {

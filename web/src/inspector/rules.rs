@@ -49,7 +49,7 @@ pub(super) fn show(state: &State, send: &Callback<Action>) -> Html {
                 <p class="zones">{ tr!("Zones") }{ " " }{ for list.zones.iter().map(own) }</p>
             }
             if let Some(why) = &list.left_open { <p class="remark">{ why.clone() }</p> }
-            if list.can_ask || list.asking.is_some() { { ask(list.asking, list.left_open.is_some(), send) } }
+            if list.can_ask || list.asking.is_some() { { ask(list.asking, list.left_open.is_some(), list.longer, send) } }
             if let Some(summary) = &list.summary { <p class="remark" aria-hidden="true">{ summary.clone() }</p> }
             <p class="vh" role="status">{ list.told.clone() }</p>
         </section>
@@ -268,7 +268,12 @@ pub(super) fn question(state: &State, send: &Callback<Action>) -> Html {
 
 /// The button that asks what rules cost; it stops, while that is being found out, and goes on
 /// where prices are left open.
-fn ask(asking: Option<(u32, u32)>, goes_on: bool, send: &Callback<Action>) -> Html {
+fn ask(
+    asking: Option<(u32, u32)>,
+    goes_on: bool,
+    longer: Option<u32>,
+    send: &Callback<Action>,
+) -> Html {
     let onclick = act(send, || RuleAction::Price);
     let label = asking.map(|(known, of)| {
         tr!(
@@ -280,6 +285,7 @@ fn ask(asking: Option<(u32, u32)>, goes_on: bool, send: &Callback<Action>) -> Ht
     let content = html! {
         <>
             { icon::show("price") }<span>{ if goes_on { tr!("Go on with the prices") } else { tr!("What do the rules cost?") } }</span>
+            if let (Some(seconds), None) = (longer, asking) { <small>{ tr!("up to {seconds} s", seconds) }</small> }
             if let Some((known, of)) = asking {
                 <small>{ tr!("{known} of {of}", known, of) }</small>{ icon::show("stop") }
                 <progress aria-hidden="true" max={of.to_string()} value={known.to_string()}></progress>

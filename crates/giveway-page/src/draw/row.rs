@@ -62,13 +62,9 @@ fn remark(state: &State, shape: Shape) -> Option<&'static str> {
         Shape::Row if state.view.fleet.is_none() => {
             Some(tr!("Drag: where they start. Then where they go."))
         }
-        Shape::Row
-        | Shape::Pen
-        | Shape::Rectangle
-        | Shape::Line
-        | Shape::Fill
-        | Shape::Racks
-        | Shape::Blocks => None,
+        Shape::Rectangle => Some(tr!("Drag from corner to corner.")),
+        Shape::Line => Some(tr!("Drag from end to end.")),
+        Shape::Row | Shape::Pen | Shape::Fill | Shape::Racks | Shape::Blocks => None,
     }
 }
 

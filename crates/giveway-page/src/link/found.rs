@@ -19,9 +19,11 @@ const TOLD: char = '!';
 /// What is found, as parts of the document's text.
 pub(super) fn write(document: &Document) -> String {
     let mut text = String::new();
-    if let Some(told) = document.prices().and_then(|prices| prices.told.as_deref()) {
+    let prices = document.prices();
+    if let Some((prices, told)) = prices.and_then(|prices| Some((prices, prices.told.as_deref()?)))
+    {
         text += "&prices=";
-        text += &answers::write(told);
+        text += &format!("{}{TOLD}{}", prices.seconds, answers::write(told));
     }
     let ledger = document.ledger();
     if let Some((ledger, told)) = ledger.and_then(|ledger| Some((ledger, ledger.told.as_deref()?)))
@@ -42,12 +44,15 @@ pub(super) fn write(document: &Document) -> String {
 /// The prices of the rules of a document; `Some(None)` where they are of another form.
 #[expect(clippy::option_option, reason = "broken is not the same as left out")]
 pub(super) fn prices(document: &Document, text: &str) -> Option<Option<Pricing>> {
-    let told = answers::read(text)?;
+    let (seconds, told) = text.split_once(TOLD)?;
+    let seconds = seconds.parse().ok()?;
+    let told = answers::read(told)?;
     Some(told.map(|told| Pricing {
         draft: Rc::clone(&document.draft),
         within: document.within,
         told: Some(Rc::new(told)),
         before: None,
+        seconds,
     }))
 }
 

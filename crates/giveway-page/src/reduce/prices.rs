@@ -18,6 +18,7 @@ pub(super) fn price(state: &mut State) {
     ask::close(state);
     state.view.notice = None;
     let request = request(state);
+    let seconds = crate::rules::seconds(state);
     let draft = Rc::clone(&state.document.draft);
     // What is proved of an answer before stays.
     let before = state.prices().and_then(|prices| prices.told.clone());
@@ -32,6 +33,7 @@ pub(super) fn price(state: &mut State) {
         within: state.document.within,
         told,
         before,
+        seconds,
     }));
     state.work.start(Task::Price(draft, Rc::new(request)));
 }

@@ -25,6 +25,8 @@ pub struct List {
     pub asking: Option<(u32, u32)>,
     /// Why not every price is known, where somebody asked.
     pub left_open: Option<String>,
+    /// For how long it would go on, in seconds, where that is longer than Settings say.
+    pub longer: Option<u32>,
     /// Whether what they cost can be asked for.
     pub can_ask: bool,
     /// What prices came to as a whole, to be read aloud.
@@ -155,6 +157,7 @@ pub fn list(state: &State) -> Option<List> {
             })
             .collect(),
         left_open: super::price::left_open(state),
+        longer: super::price::longer(state),
         can_ask: on > 0 && state.document.draft.instance().is_ok(),
         told: said.filter(|_| asking.is_none()).unwrap_or_default(),
         summary: if asking.is_none() {

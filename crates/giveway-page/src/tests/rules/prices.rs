@@ -47,7 +47,7 @@ fn prices_that_are_left_open_go_on() {
     let why = list(&open).unwrap().left_open.unwrap();
     assert_eq!(
         why,
-        "Not every price could be proved within 30 seconds and the memory of Settings."
+        "Not every price could be proved within 30 seconds and the memory that the page takes."
     );
     assert_eq!(texts(&open).len(), 2);
     assert_eq!(
@@ -63,7 +63,13 @@ fn prices_that_are_left_open_go_on() {
     assert_eq!(list(&again).unwrap().summary, None);
     let still = answered_with(&again, Some(1));
     let why = list(&still).unwrap().left_open.unwrap();
-    assert!(why.ends_with("Going on has brought nothing new; more time in Settings may."));
+    assert!(why.ends_with("Going on has brought nothing new; more time may."));
+    assert_eq!(list(&open).unwrap().longer, None);
+    assert_eq!(list(&still).unwrap().longer, Some(120));
+    let longer = after(&still, [act(RuleAction::Price)]);
+    assert_eq!(asked(&longer).1.limits.seconds, Some(120.0));
+    let why = list(&answered_with(&longer, Some(1))).unwrap().left_open;
+    assert!(why.unwrap().contains("within 120 seconds"));
     let priced = answered_with(&again, None);
     assert_eq!(
         texts(&priced),
