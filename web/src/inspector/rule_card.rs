@@ -21,6 +21,7 @@ use crate::{glyph, icon};
 
 #[inline(never)]
 pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
+    let chooses = matches!(&card.open, Some((Slot::Who, _)));
     html! {
         <>
             { head(card, send) }
@@ -30,7 +31,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                     Some(zone) => tr!("A rule for {zone}", zone),
                     None => tr!("A rule").to_owned(),
                 } }</p>
-                <p class="sentence">{ for card.pieces.iter().map(|of| piece(card, of, send)) }</p>
+                <p class={classes!("sentence", chooses.then_some("chooses"))}>{ for card.pieces.iter().map(|of| piece(card, of, send)) }</p>
                 if let Some((slot, editor)) = &card.open { { slot_editor::show(*slot, editor, send) } }
                 { counts(card) }
                 { judged(&card.judged) }
@@ -139,7 +140,9 @@ fn fill(send: &Callback<Action>, value: Value) {
 
 /// How wide the row of counts is, and a digit in it, in pixels.
 const COUNTS: f64 = 290.0;
-const DIGIT: f64 = 8.0;
+const DIGIT: f64 = 7.0;
+/// What is free beside a number, in pixels: two side by side are two numbers.
+const BESIDE: f64 = 5.0;
 
 /// How many robots are in the zone at each time: a stretch for times of one number, which
 /// stands there where it has room; darker where there are more.
@@ -161,7 +164,7 @@ fn counts(card: &Card) -> Html {
         html! {
             <g {class}>
                 <rect x={left.to_string()} y="16" width={room.to_string()} height="20" fill-opacity={(0.06 + 0.26 * shade).to_string()} />
-                if room >= number.len() as f64 * DIGIT {
+                if room >= number.len() as f64 * DIGIT + BESIDE {
                     <text x={(left + room / 2.0).to_string()} y="30" text-anchor="middle">{ number }</text>
                 }
             </g>
