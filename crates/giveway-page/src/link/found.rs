@@ -1,6 +1,7 @@
 //! What was found out about a scene and its plan, as only this browser keeps it: what rules
 //! cost, who costs whom, the questions that were answered.
 
+use std::fmt::Write as _;
 use std::rc::Rc;
 
 use giveway_solve::Limits;
@@ -23,7 +24,8 @@ pub(super) fn write(document: &Document) -> String {
     if let Some((prices, told)) = prices.and_then(|prices| Some((prices, prices.told.as_deref()?)))
     {
         text += "&prices=";
-        text += &format!("{}{TOLD}{}", prices.seconds, answers::write(told));
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{}{TOLD}{}", prices.seconds, answers::write(told));
     }
     let ledger = document.ledger();
     if let Some((ledger, told)) = ledger.and_then(|ledger| Some((ledger, ledger.told.as_deref()?)))
