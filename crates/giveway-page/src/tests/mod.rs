@@ -2,6 +2,7 @@
 
 mod audit;
 mod cell;
+mod charge;
 mod change;
 mod compare;
 mod freedom;

@@ -68,5 +68,5 @@ pub use how::{AgentDifference, How};
 pub use layers::{Here, Layer, Near, Passing, Variation, VariationKind};
 pub use words::{
     alone_sentence, edits_in_words, facts_claim, facts_title, group_price_clause, helps_mark,
-    how_of, how_sentence, price_clause, verdict_word, witness_title,
+    how_of, how_sentence, other_charges, price_clause, verdict_word, witness_title,
 };

@@ -11,6 +11,7 @@ mod missing;
 mod parts;
 mod pays;
 mod pieces;
+mod title;
 mod verdict;
 
 use std::collections::BTreeSet;

@@ -4,6 +4,9 @@ use crate::explain::how::way;
 use giveway_model::words::and;
 use giveway_model::{Cost, Instance, Plan, Question, check::own_costs, tr};
 
+/// So many charges of the other plan are told at most.
+const MOST_CHARGES: usize = 2;
+
 /// The alternative as a clause: `A1 could wait instead`; `None` where there is nothing short to say.
 pub(crate) fn instead(
     question: &Question,
@@ -39,6 +42,11 @@ pub(crate) fn instead(
         ));
     }
     let asked = asked.filter(|name| names.contains(name));
+    if let (Question::Charge { .. }, Some(name)) = (question, asked)
+        && let Some(charges) = other_charges(name, plan, other)
+    {
+        return Some(tr!("{name} could charge {charges} instead", name, charges));
+    }
     match (asked, others.len()) {
         (Some(name), _) if way(plan, name) != way(other, name) => {
             Some(tr!("{name} could go another way", name))
@@ -56,4 +64,24 @@ pub(crate) fn instead(
         }
         _ => None,
     }
+}
+
+/// Where and when an agent charges in another plan and not in this one: `at (3, 2) at time 3`;
+/// `None` where it charges nowhere else, or at too many places to be told.
+pub fn other_charges(name: &str, plan: &Plan, other: &Plan) -> Option<String> {
+    let path = other.path(name);
+    let at = |plan: &Plan, time: u32| plan.path(name).get(time as usize).copied().flatten();
+    let is_new =
+        |&&time: &&u32| !plan.charges(name).contains(&time) || at(plan, time) != at(other, time);
+    let times: Vec<u32> = other.charges(name).iter().filter(is_new).copied().collect();
+    if times.is_empty() || times.len() > MOST_CHARGES {
+        return None;
+    }
+    let told = times.into_iter().map(|time| {
+        let cell = path.get(time as usize).copied().flatten()?;
+        Some(tr!("a charge" => "at {cell} at time {time}", cell, time))
+    });
+    let told: Vec<String> = told.collect::<Option<_>>()?;
+    let told: Vec<&str> = told.iter().map(String::as_str).collect();
+    Some(and(&told))
 }

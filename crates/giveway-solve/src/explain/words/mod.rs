@@ -21,6 +21,7 @@ mod verdict;
 mod violations;
 
 pub use alone::alone_sentence;
+pub use differences::other_charges;
 pub(crate) use facts::fact;
 pub(crate) use groups::fact_group;
 pub use heads::{facts_claim, facts_title, helps_mark, verdict_word, witness_title};
