@@ -83,7 +83,11 @@ describe("a broken worker", () => {
     const loader = files().find((path) => /(^|\/)worker-[^/]*\.js$/.test(path));
     const body = `${bytes(loader)}\n;${fault}`;
     // Answered at once: what is still on its way when a route ends is answered twice.
-    await context.route(LOADER, (route) => route.fulfill({ body, contentType: "text/javascript" }));
+    let given = 0;
+    await context.route(LOADER, async (route) => {
+      await route.fulfill({ body, contentType: "text/javascript" });
+      given += 1;
+    });
     await playground.example("Thirty robots");
     await playground.button("Cancel").waitFor();
     const broken = page.waitForEvent("worker");
@@ -92,9 +96,11 @@ describe("a broken worker", () => {
     await playground.solver.click();
     await playground.warns(/The solver broke off and was started again\. Your scene is as it was\..*out of order/s);
     await playground.shows("thirty robots");
+    // The worker that was started in place of it is broken, too; a script that is still on its way
+    // when the route ends is never answered.
+    await eventually("two broken workers to be given", () => given, (given) => given >= 2);
     await context.unroute(LOADER);
     await playground.solver.click();
-    // The worker that was started in place of it was broken, too.
     await playground.says(/^No plan yet\.$|^Solving|You stopped the search/);
     await playground.example("Who waits?");
     await playground.says(/^Optimal: /);
