@@ -9,11 +9,12 @@ use giveway_planners::first::plan_in_order;
 
 use super::{
     ask::{Ask, Found, Start, any, at_most, best, best_from, names, violations, walks},
+    budgets::{brief_search, further_search, long_search, one_search},
     fitting::FittingQuestion,
     group::{Variant, fit},
     group_mus::{Inquiry, Tried},
     repairs::{EditedPlan, Solver},
-    unsolvable::{brief_search, further_search, long_search, one_search, tried},
+    unsolvable::tried,
 };
 use crate::{
     budget::Budget,

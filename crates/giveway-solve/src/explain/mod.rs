@@ -1,6 +1,6 @@
 //! Why a plan is as it is, or why there is none: reasons as data.
 //!
-//! - [`ask`]: the search, asked about a changed instance;
+//! - [`ask`]: the search, asked about a changed instance; [`budgets`]: the budgets of many such searches;
 //! - `explanation`: the question to the service, and its answer as far as known;
 //! - [`engine`]: the order of the parts; `telling`: the first layers, told to the host;
 //! - [`fitting`]: a question that fits the plan; [`verdict`]: the best other plan beside the one asked about;
@@ -27,6 +27,7 @@
 pub mod alone;
 pub mod answer;
 pub(crate) mod ask;
+pub(crate) mod budgets;
 pub(crate) mod causes;
 pub(crate) mod changed;
 mod closest;

@@ -18,7 +18,7 @@ use crate::{
     budget::Budget,
     explain::{
         ask::{Ask, any},
-        unsolvable::one_search,
+        budgets::one_search,
     },
     problem::Relaxed,
 };

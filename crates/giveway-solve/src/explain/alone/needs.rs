@@ -10,10 +10,10 @@ use crate::{
     budget::Budget,
     explain::{
         ask::{Ask, best},
+        budgets::further_search,
         causes::Refuted,
         fitting::FittingQuestion,
         growing::only,
-        unsolvable::further_search,
     },
     impose::bearer,
     problem::Relaxed,
