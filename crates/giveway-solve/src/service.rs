@@ -1,146 +1,27 @@
 //! The one door of the solver: requests in, progress and a response out.
 
-use borsh::{BorshDeserialize, BorshSerialize};
+mod refusal;
+mod response;
+
 use giveway_model::{
     Fault, Instance, Version,
-    check::{Violation, check, check_changes},
-    question::Misfit,
+    check::{check, check_changes},
 };
-use giveway_proof::Report;
-use serde::{Deserialize, Serialize};
 
 use crate::{
-    Basic, CheckAnswer, CheckRequest, ExportAnswer, FrontAnswer, Host, Request, SolveAnswer,
-    SolveRequest, assumed,
-    audit::{self, AuditAnswer},
+    Basic, CheckAnswer, CheckRequest, Host, Request, SolveRequest, assumed, audit,
     budget::Budget,
     certify::{certify, export},
-    change::{self, ChangeAnswer, ChangeRequest},
-    delays::{self, DelaysAnswer},
-    explain::{ExplainAnswer, engine},
-    freedom::{self, FreedomAnswer},
-    order::{self, OrderAnswer},
-    pareto,
-    plan::{self, PlanAnswer},
-    price::{self, PriceAnswer},
-    sizing::{self, SizingAnswer},
+    change::{self, ChangeRequest},
+    delays,
+    explain::engine,
+    freedom, order, pareto, plan, price, sizing,
     solve::{self, SolveTask},
-    together::{self, TogetherAnswer},
+    together,
 };
 
-/// The response to a request. An error is a response, too.
-#[derive(Clone, Debug, PartialEq, Serialize, BorshSerialize, BorshDeserialize)]
-#[serde(tag = "response", rename_all = "kebab-case")]
-#[cfg_attr(
-    target_pointer_width = "64",
-    expect(
-        clippy::large_enum_variant,
-        reason = "a request has one response: no list of them is ever held"
-    )
-)]
-pub enum Response {
-    /// To [`Request::Solve`].
-    Solved(SolveAnswer),
-    /// To [`Request::Solve`] with `pareto`.
-    Front(FrontAnswer),
-    /// To [`Request::Check`].
-    Checked(CheckAnswer),
-    /// To [`Request::Explain`].
-    Explained(Box<ExplainAnswer>),
-    /// To [`Request::Certify`].
-    Certified(Box<Report>),
-    /// To [`Request::Export`].
-    Exported(Box<ExportAnswer>),
-    /// To [`Request::Change`].
-    Changed(Box<ChangeAnswer>),
-    /// To [`Request::Audit`].
-    Audited(Box<AuditAnswer>),
-    /// To [`Request::Plan`].
-    Planned(Box<PlanAnswer>),
-    /// To [`Request::Together`].
-    Together(Box<TogetherAnswer>),
-    /// To [`Request::Freedom`].
-    Freedom(Box<FreedomAnswer>),
-    /// To [`Request::Price`].
-    Priced(Box<PriceAnswer>),
-    /// To [`Request::Delays`].
-    Delays(Box<DelaysAnswer>),
-    /// To [`Request::Order`].
-    Order(Box<OrderAnswer>),
-    /// To [`Request::Sizing`].
-    Sized(Box<SizingAnswer>),
-    /// The request is wrong; nothing was done.
-    Refused(Refusal),
-}
-
-/// Why a request was refused.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
-#[serde(tag = "refusal", rename_all = "kebab-case")]
-pub enum Refusal {
-    /// The scene is no instance of the problem; there is at least one fault.
-    Scene {
-        /// Every fault, with its place in the scene.
-        faults: Vec<Fault>,
-    },
-    /// The request asks for something that does not exist.
-    Request {
-        /// The fault: found, and expected.
-        fault: Fault,
-    },
-    /// Changes contradict the world as the plan has it.
-    Changes {
-        /// The faults, each with its place in the changes.
-        faults: Vec<Fault>,
-    },
-    /// The plan that is asked about is none.
-    Plan {
-        /// Every rule that it breaks.
-        violations: Vec<Violation>,
-    },
-    /// The question cannot be asked of the plan.
-    Question {
-        /// Why the question does not fit the plan, and which questions do.
-        misfit: Misfit,
-    },
-}
-
-impl Refusal {
-    /// The faults in sentences or phrases, one each.
-    pub fn sentences(&self) -> Vec<String> {
-        match self {
-            Self::Scene { faults } | Self::Changes { faults } => {
-                faults.iter().map(ToString::to_string).collect()
-            }
-            Self::Request { fault } => vec![fault.to_string()],
-            Self::Plan { violations } => violations.iter().map(|v| v.message.clone()).collect(),
-            Self::Question { misfit } => vec![misfit.to_string()],
-        }
-    }
-}
-
-impl Refusal {
-    /// The faults of the request, each with its place in it.
-    pub fn faults(self) -> Vec<Fault> {
-        let in_part = |faults: Vec<Fault>, part| -> Vec<Fault> {
-            let faults = faults.into_iter();
-            faults.map(|fault| fault.of_part(part)).collect()
-        };
-        match self {
-            Self::Scene { faults } => in_part(faults, "scene"),
-            Self::Changes { faults } => in_part(faults, "changes"),
-            Self::Request { fault } => vec![fault],
-            Self::Plan { violations } => violations
-                .into_iter()
-                .map(|violation| {
-                    // It is a sentence, so it is quoted.
-                    let found = format!("\"{}\"", violation.message);
-                    Fault::at("plan", found, "a plan that breaks no rule")
-                })
-                .collect(),
-            Self::Question { misfit } => vec![misfit.fault().of_part("question")],
-        }
-    }
-}
+pub use refusal::Refusal;
+pub use response::Response;
 
 /// Serves a request. The same request gives the same response, its seconds apart, where a
 /// proof, a limit of work or a limit of conflicts ends it. Where seconds, memory or the host
