@@ -7,8 +7,9 @@ use js_sys::{Object, Reflect, Uint8Array};
 use wasm_bindgen::{JsValue, prelude::wasm_bindgen};
 
 use super::error::{Code, error};
+use super::objects;
+use super::response::{answered, with_callbacks};
 use super::zip::pack;
-use super::{answered, objects, with_callbacks};
 use crate::budget::within_budget;
 
 /// Makes certificates, checks them, and packs them into a zip archive. Requests come by
