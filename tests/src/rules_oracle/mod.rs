@@ -7,10 +7,14 @@
 //! horizon holds for every horizon.
 
 mod agent;
+mod arrival;
 mod changed;
 mod every;
+mod minds;
 mod scene;
 mod search;
+mod steps;
+mod together;
 
 pub use changed::ChangedRules;
 pub use every::{AllBest, all_best};

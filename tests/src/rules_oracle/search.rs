@@ -2,10 +2,11 @@
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
-use std::rc::Rc;
 
-use super::agent::{Mind, Way, Where};
-use super::scene::{Kind, RuleScene, Spot};
+use super::agent::{Mind, Where};
+use super::minds::{Minds, Ways};
+use super::scene::{RuleScene, Spot};
+use super::steps::Way;
 
 /// What the oracle says of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,43 +19,8 @@ pub enum Answer {
     Capped,
 }
 
-/// The states of one agent by number, each with its steps at a time.
-#[derive(Default)]
-pub(super) struct Minds {
-    pub(super) all: Vec<Mind>,
-    numbers: BTreeMap<Mind, u32>,
-    ways: BTreeMap<(u32, i64), Ways>,
-}
-
 /// States of all agents, and what is paid for them.
 pub(super) type Start = (Vec<Mind>, Vec<i64>);
-
-/// Steps, each with the number of the state that it leads to.
-type Ways = Rc<Vec<(u32, Way)>>;
-
-impl Minds {
-    fn number(&mut self, mind: &Mind) -> u32 {
-        if let Some(&number) = self.numbers.get(mind) {
-            return number;
-        }
-        let number = self.all.len() as u32;
-        self.all.push(mind.clone());
-        self.numbers.insert(mind.clone(), number);
-        number
-    }
-
-    fn ways(&mut self, scene: &RuleScene, agent: usize, key: (u32, i64)) -> Ways {
-        if let Some(ways) = self.ways.get(&key) {
-            return Rc::clone(ways);
-        }
-        let mind = self.all[key.0 as usize].clone();
-        let ways = scene.ways(agent, &mind, key.1).into_iter();
-        let ways: Vec<(u32, Way)> = ways.map(|way| (self.number(&way.to), way)).collect();
-        let ways = Rc::new(ways);
-        self.ways.insert(key, Rc::clone(&ways));
-        ways
-    }
-}
 
 /// Each agent's state, whether the first of each precedence has been there, the time.
 pub(super) type Joint = (Vec<u32>, Vec<bool>, i64);
@@ -251,95 +217,5 @@ impl<'a> Search<'a> {
             steps.push(((numbers, been, clip(time + 1)), costs, charges));
         }
         steps
-    }
-}
-
-impl RuleScene {
-    pub(super) fn orders(&self) -> impl Iterator<Item = ((usize, Spot), (usize, Spot))> {
-        self.rules.iter().filter_map(|rule| match rule.kind {
-            Kind::Before(first, second) => Some((first, second)),
-            _ => None,
-        })
-    }
-
-    pub(super) fn been(&self, minds: &[&Mind], before: &[bool]) -> Vec<bool> {
-        let orders = self.orders().zip(before);
-        orders
-            .map(|((first, _), &been)| been || self.cell(first.0, minds[first.0]) == Some(first.1))
-            .collect()
-    }
-
-    /// Whether agents may be where they are at a time; `been` of the time before.
-    pub(super) fn may_be(&self, minds: &[&Mind], time: i64, been: &[bool]) -> bool {
-        let cells: Vec<Option<Spot>> = minds
-            .iter()
-            .enumerate()
-            .map(|(a, m)| self.cell(a, m))
-            .collect();
-        let held: Vec<Spot> = cells.iter().flatten().copied().collect();
-        let apart: BTreeSet<Spot> = held.iter().copied().collect();
-        let pairs = |agents: &[usize]| -> Vec<(usize, usize)> {
-            let pair = |&a: &usize| agents.iter().map(move |&b| (a, b));
-            agents
-                .iter()
-                .flat_map(pair)
-                .filter(|(a, b)| a != b)
-                .collect()
-        };
-        apart.len() == held.len()
-            && self
-                .rules
-                .iter()
-                .enumerate()
-                .all(|(number, rule)| match &rule.kind {
-                    Kind::Capacity(zone, most) if rule.is_about(time) => {
-                        let counted = rule.agents.iter();
-                        let counted = counted.filter(|&&a| !minds[a].uncounted.contains(&number));
-                        let inside = counted.filter(|&&a| {
-                            self.touches(a, minds[a])
-                                .iter()
-                                .any(|spot| zone.contains(spot))
-                        });
-                        inside.count() <= *most
-                    }
-                    Kind::Apart(distance) if rule.is_about(time) => {
-                        pairs(&rule.agents).iter().all(|&(a, b)| {
-                            self.touches(a, minds[a]).iter().all(|p| {
-                                let others = self.touches(b, minds[b]);
-                                others
-                                    .iter()
-                                    .all(|q| (p.0 - q.0).abs() + (p.1 - q.1).abs() >= *distance)
-                            })
-                        })
-                    }
-                    Kind::Gap(steps) => pairs(&rule.agents).iter().all(|&(a, b)| {
-                        cells[b].is_none()
-                            || !minds[a]
-                                .past
-                                .iter()
-                                .take(*steps)
-                                .any(|past| *past == cells[b])
-                    }),
-                    _ => true,
-                })
-            && self
-                .orders()
-                .zip(been)
-                .all(|((_, second), &been)| been || cells[second.0] != Some(second.1))
-    }
-
-    /// Whether all have arrived, and may rest for ever.
-    pub(super) fn is_over(&self, minds: &[Mind], time: i64) -> bool {
-        let arrived = |mind: &Mind| matches!(mind.place, Where::Home | Where::Gone);
-        if !minds.iter().all(arrived) {
-            return false;
-        }
-        let mut rest = minds.to_vec();
-        for mind in &mut rest {
-            mind.past.clear();
-        }
-        let refs: Vec<&Mind> = rest.iter().collect();
-        let orders = vec![true; self.orders().count()];
-        self.vanish || (time + 1..=self.last + 1).all(|later| self.may_be(&refs, later, &orders))
     }
 }

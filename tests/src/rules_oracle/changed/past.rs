@@ -1,8 +1,9 @@
 //! The past of each agent, read off the plan: its states at the time of the change, and what
 //! it has paid by then.
 
-use super::super::agent::{Mind, Where, direction};
+use super::super::agent::{Mind, Where};
 use super::super::scene::{Kind, Spot};
+use super::super::steps::direction;
 use super::{ChangedRules, Running, ends_at, on};
 
 /// The costs of one agent up to a time.
