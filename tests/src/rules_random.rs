@@ -1,12 +1,16 @@
 //! Random scenes with rules of their own, as JSON: the same seed and number give the same
 //! scene for ever.
 
+mod changes;
+mod rule;
+
 use rand::RngExt;
 use rand::seq::{IndexedRandom, SliceRandom};
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
 
 use crate::random::numbers;
+pub use changes::{changes_of_rules, scene_to_change};
 
 /// The kinds of rules; the last costs late steps.
 pub const KINDS: [&str; 14] = [
@@ -156,190 +160,4 @@ impl World<'_> {
         }
         agents
     }
-
-    fn zone(&mut self) -> Value {
-        let count = self.random.random_range(1..=self.free.len().min(4));
-        let mut cells = self.free.clone();
-        cells.shuffle(self.random);
-        cells.truncate(count);
-        let name = format!("zone {}", self.zones.len());
-        self.zones.push(json!({ "name": name, "cells": cells }));
-        json!(name)
-    }
-
-    fn times(&mut self, rule: &mut Value) {
-        let from = self.random.random_range(0..=5);
-        match self.random.random_range(0..4) {
-            0 => rule["from"] = json!(from),
-            1 => rule["to"] = json!(from),
-            2 => {
-                rule["from"] = json!(from);
-                rule["to"] = json!(from + self.random.random_range(0..=4));
-            }
-            _ => {}
-        }
-    }
-
-    fn at(&mut self) -> Value {
-        let agent = self.random.random_range(0..self.agents);
-        json!({ "agent": format!("A{agent}"), "cell": self.cell() })
-    }
-
-    /// A rule of a kind; `null` where the map has none.
-    fn rule(&mut self, kind: &str) -> Value {
-        let mut rule = json!({ "kind": kind });
-        match kind {
-            "capacity" => {
-                rule["zone"] = self.zone();
-                rule["most"] = json!(self.random.random_range(0..=2));
-                self.times(&mut rule);
-            }
-            "closed" => {
-                rule["zone"] = self.zone();
-                self.times(&mut rule);
-            }
-            "one-way" => {
-                let mut lane = vec![self.cell()];
-                for _ in 0..self.random.random_range(1..=3) {
-                    let (x, y) = lane[lane.len() - 1];
-                    let next = |&&(a, b): &&Spot| a.abs_diff(x) + b.abs_diff(y) == 1;
-                    let next: Vec<&Spot> = self.free.iter().filter(next).collect();
-                    let next = next.into_iter().filter(|spot| !lane.contains(spot));
-                    let next: Vec<&Spot> = next.collect();
-                    let Some(&&next) = next.choose(self.random) else {
-                        break;
-                    };
-                    lane.push(next);
-                }
-                if lane.len() < 2 {
-                    return Value::Null;
-                }
-                rule["lane"] = json!(lane);
-            }
-            "gap" => rule["steps"] = json!(self.random.random_range(1..=3)),
-            "apart" => {
-                rule["distance"] = json!(self.random.random_range(2..=3));
-                self.times(&mut rule);
-            }
-            "sequence" => {
-                let cells = (0..self.random.random_range(1..=3)).map(|_| self.cell());
-                let cells: Vec<Spot> = cells.collect();
-                rule["cells"] = json!(cells);
-                rule["agent"] = json!(format!("A{}", self.random.random_range(0..self.agents)));
-                return rule;
-            }
-            "visit" => {
-                rule["cell"] = json!(self.cell());
-                let stay = self.random.random_range(0..=2);
-                rule["stay"] = json!(stay);
-                self.times(&mut rule);
-                if let Some(to) = rule["to"].as_u64() {
-                    rule["to"] = json!(to + stay + 2);
-                }
-            }
-            "arrive" => {
-                let by = self.random.random_range(2..=9);
-                if self.random.random_bool(0.6) {
-                    rule["from"] = json!(self.random.random_range(0..=by));
-                }
-                if rule["from"].is_null() || self.random.random_bool(0.4) {
-                    rule["by"] = json!(by);
-                }
-            }
-            "late" => {
-                rule["kind"] = json!("arrive");
-                rule["by"] = json!(self.random.random_range(0..=5));
-                rule["weight"] = json!(self.random.random_range(1..=5));
-            }
-            "depart" => rule["from"] = json!(self.random.random_range(0..=4)),
-            "before" => {
-                rule["first"] = self.at();
-                rule["second"] = self.at();
-                return rule;
-            }
-            "no-waiting" => {
-                rule["zone"] = self.zone();
-                rule["most"] = json!(self.random.random_range(0..=2));
-            }
-            "turns" => rule["quarter"] = json!(self.random.random_range(1..=2)),
-            _ => {
-                rule["zone"] = self.zone();
-                rule["weight"] = json!(self.random.random_range(1..=5));
-            }
-        }
-        if self.random.random_bool(0.4) {
-            let mut names: Vec<String> = (0..self.agents).map(|i| format!("A{i}")).collect();
-            names.shuffle(self.random);
-            names.truncate(self.random.random_range(1..=self.agents));
-            rule["agents"] = json!(names);
-        }
-        rule
-    }
-}
-
-/// A scene whose plan is to go on when the world changes, and a rule for it that begins
-/// later: the last of those of some kinds. The makespan counts first.
-pub fn scene_to_change(seed: u64, number: u64, kinds: &[&str]) -> (Value, Value) {
-    let mut scene = scene_with_rules(seed, number, kinds);
-    let rules = scene["constraints"].as_array_mut();
-    let rule = rules.and_then(Vec::pop).unwrap_or_default();
-    let costs = scene["objective"].as_array().cloned().unwrap_or_default();
-    let others = costs.into_iter().filter(|cost| *cost != "makespan");
-    let costs: Vec<Value> = [json!("makespan")].into_iter().chain(others).collect();
-    scene["objective"] = json!(costs);
-    (scene, rule)
-}
-
-/// What changes at one time: mostly a rule that begins or is gone, and other things. Some
-/// contradict the world.
-pub fn changes_of_rules(
-    seed: u64,
-    number: u64,
-    (scene, rule): (&Value, &Value),
-    makespan: u32,
-) -> Vec<Value> {
-    let random = &mut numbers(seed ^ 0x21e5, number);
-    let at = random.random_range(0..=makespan + 1);
-    let rules = scene["constraints"].as_array().map_or(0, Vec::len);
-    let agents = scene["agents"].as_array().map_or(0, Vec::len);
-    let mut changes = Vec::new();
-    let which = random.random_range(0..10);
-    if which < 6 {
-        changes.push(json!({ "change": "add-constraint", "constraint": rule }));
-    } else if which < 8 && rules > 0 {
-        let index = random.random_range(0..rules);
-        changes.push(json!({ "change": "remove-constraint", "index": index }));
-    }
-    if changes.is_empty() || random.random_bool(0.5) {
-        let agent = format!("A{}", random.random_range(0..agents));
-        let rows: Vec<&str> = scene["map"]
-            .as_array()
-            .into_iter()
-            .flatten()
-            .filter_map(Value::as_str)
-            .collect();
-        let cells = rows.iter().enumerate().flat_map(|(y, row)| {
-            let free = row.chars().enumerate().filter(|(_, c)| *c != '#');
-            free.map(move |(x, _)| (x, y))
-        });
-        let cells: Vec<Spot> = cells.collect();
-        let cell = |random: &mut ChaCha8Rng| *cells.choose(random).unwrap();
-        changes.push(match random.random_range(0..8) {
-            0..=3 => {
-                let steps = random.random_range(1..=5);
-                json!({ "change": "delay-agent", "agent": agent, "steps": steps })
-            }
-            4 => json!({ "change": "remove-agent", "agent": agent }),
-            5 => json!({ "change": "set-goal", "agent": agent, "cell": cell(random) }),
-            6 if agents < 3 => {
-                let new = json!({ "name": "N", "start": cell(random), "goal": cell(random) });
-                json!({ "change": "add-agent", "agent": new })
-            }
-            _ => json!({ "change": "add-obstacle", "cell": cell(random) }),
-        });
-    }
-    for change in &mut changes {
-        change["at"] = json!(at);
-    }
-    changes
 }
