@@ -1,13 +1,20 @@
 //! Scenes with rules of their own, made of a scene without and its plan: the same for ever.
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+mod roads;
+mod usage;
+
+use std::collections::BTreeSet;
 
 use giveway_model::condition::Times;
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Cell, Constraint, Grid, Plan, Scene, Zone};
 
+use roads::Roads;
+use usage::{around, busy, by_use, most_at_once};
+
 /// The most cells of a zone.
 const ZONE: usize = 6;
+
 /// Every so many-th row and column is a lane.
 const LANES: u32 = 3;
 
@@ -176,114 +183,10 @@ impl WithRules for Scene {
     }
 }
 
-/// How often each cell is used: a cell at which an agent rests no longer counts.
-fn busy(plan: &Plan) -> BTreeMap<Cell, usize> {
-    let mut busy = BTreeMap::new();
-    for cell in plan.paths.values().flatten().flatten() {
-        *busy.entry(*cell).or_insert(0) += 1;
-    }
-    busy
-}
-
-/// The cells, the busiest first.
-fn by_use(busy: &BTreeMap<Cell, usize>) -> Vec<Cell> {
-    let mut cells: Vec<(usize, Cell)> = busy.iter().map(|(&cell, &count)| (count, cell)).collect();
-    cells.sort_by_key(|&(count, cell)| (usize::MAX - count, cell));
-    cells.into_iter().map(|(_, cell)| cell).collect()
-}
-
-/// All cells that can be reached from one, the nearest first.
-fn around(grid: &Grid, centre: Cell) -> Vec<Cell> {
-    let mut cells = vec![centre];
-    let mut seen = BTreeSet::from([centre]);
-    let mut next = 0;
-    while let Some(&cell) = cells.get(next) {
-        next += 1;
-        cells.extend(grid.neighbours(cell).filter(|&cell| seen.insert(cell)));
-    }
-    cells
-}
-
-/// The most agents that are in a zone at once.
-fn most_at_once(plan: &Plan, grid: &Grid, zone: &[Cell]) -> u32 {
-    let last = plan.paths.values().map(Vec::len).max().unwrap_or(0);
-    let is_inside = |path: &[Option<Cell>], time: usize| match path.get(time) {
-        Some(Some(cell)) => zone.contains(cell),
-        // In transit it is at both ends.
-        Some(None) => [time.checked_sub(1), Some(time + 1)]
-            .into_iter()
-            .flatten()
-            .filter_map(|time| path.get(time).copied().flatten())
-            .any(|cell| zone.contains(&cell)),
-        None => path
-            .last()
-            .copied()
-            .flatten()
-            .is_some_and(|cell| zone.contains(&cell) && grid.is_vertex(cell)),
-    };
-    let count = |time: usize| {
-        let paths = plan.paths.values();
-        paths.filter(|path| is_inside(path, time)).count() as u32
-    };
-    (0..last).map(count).max().unwrap_or(0)
-}
-
-/// The moves that are left where lanes are one-way.
-struct Roads<'g> {
-    grid: &'g Grid,
-    /// Moves that are forbidden.
-    closed: BTreeSet<(Cell, Cell)>,
-}
-
-impl Roads<'_> {
-    /// The lanes of a line, each as long as it can be: it ends at obstacles, and where it
-    /// would leave no other way back from a cell to the one before it, so that nothing is
-    /// shut in.
-    fn lanes(&mut self, line: &[Cell]) -> Vec<Vec<Cell>> {
-        let mut lanes = Vec::new();
-        let mut lane: Vec<Cell> = Vec::new();
-        for &cell in line {
-            let goes_on = lane
-                .last()
-                .is_some_and(|&last| self.grid.is_vertex(cell) && self.has_other_way((cell, last)));
-            if goes_on {
-                if let Some(&last) = lane.last() {
-                    self.closed.insert((cell, last));
-                }
-            } else if lane.len() > 1 {
-                lanes.push(std::mem::take(&mut lane));
-            } else {
-                lane.clear();
-            }
-            if self.grid.is_vertex(cell) {
-                lane.push(cell);
-            }
-        }
-        lanes.extend(Some(lane).filter(|lane| lane.len() > 1));
-        lanes
-    }
-
-    /// Whether a way leads from one cell to its neighbour that is not the move between them.
-    fn has_other_way(&self, (from, to): (Cell, Cell)) -> bool {
-        let mut seen = BTreeSet::from([from]);
-        let mut queue = VecDeque::from([from]);
-        while let Some(cell) = queue.pop_front() {
-            for next in self.grid.neighbours(cell) {
-                let is_open = (cell, next) != (from, to) && !self.closed.contains(&(cell, next));
-                if is_open && next == to {
-                    return true;
-                }
-                if is_open && self.grid.is_vertex(next) && seen.insert(next) {
-                    queue.push_back(next);
-                }
-            }
-        }
-        false
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
 
     fn grid(rows: &[&str]) -> Grid {
