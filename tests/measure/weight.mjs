@@ -52,6 +52,9 @@ const GROUPS = [
   ["floats as text", /flt2dec|dec2flt/],
 ];
 
+/** What a compiler adds to the name of a crate. */
+const HASH = /\[[0-9a-f]{12,16}\]/g;
+
 const OPTIMISED = ["-Oz", "--one-caller-inline-max-function-size=0"];
 
 const kilobytes = (n) => (n / 1000).toFixed(1);
@@ -146,7 +149,7 @@ function without(text, names) {
     if (!inside || ends) {
       kept.push(line);
     }
-    inside = inside ? !ends : name !== undefined && names?.test(name) === true;
+    inside = inside ? !ends : name !== undefined && names?.test(name.replaceAll(HASH, "")) === true;
     if (name !== undefined && inside) {
       kept.push("  (unreachable)");
     }

@@ -10,7 +10,7 @@ use giveway_model::words::{and, capital};
 use giveway_model::{Agent, Cell, Constraint, tr};
 
 use super::parts;
-use super::who::{all_robots, brief, said_of_all};
+use super::who::{all_robots, said_of_all};
 
 /// A part of a rule that can be changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,7 +97,7 @@ fn marked(rule: &Constraint, agents: &[Agent], is_written: bool) -> (Constraint,
             std::mem::replace(zone, ZONE.to_owned()),
         );
     }
-    let brief = brief(rule, agents, all);
+    let brief = rule.who_among(agents, all);
     if !is_written {
         if let (true, Some(brief)) = (parts.has_who, brief) {
             marks.push(several(&mut marked, brief));

@@ -2,8 +2,8 @@
 
 mod audit;
 mod cell;
-mod charge;
 mod change;
+mod charge;
 mod compare;
 mod freedom;
 mod handed_on;

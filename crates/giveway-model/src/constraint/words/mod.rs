@@ -1,6 +1,7 @@
 //! Constraints as sentences, and sentences as constraints: [`Constraint::sentence`] and
 //! [`Constraint::from_words`] are inverse.
 
+mod among;
 mod grammar;
 mod read;
 mod tokens;

@@ -92,7 +92,7 @@ pub(super) fn allow_more(instance: &Instance, rule: usize, most: u32) -> Option<
     let constraint = instance.rule_as_written(rule)?;
     constraint.kind.most().map(|_| Edit::AllowMore {
         index: rule as u32,
-        rule: constraint.called(),
+        rule: constraint.called_among(instance.agents()),
         most,
     })
 }
@@ -102,7 +102,7 @@ pub(super) fn give_until(instance: &Instance, rule: usize, to: u32) -> Option<Ed
     let constraint = instance.rule_as_written(rule)?;
     constraint.kind.last_chance().map(|_| Edit::GiveUntil {
         index: rule as u32,
-        rule: constraint.called(),
+        rule: constraint.called_among(instance.agents()),
         to,
     })
 }
@@ -142,7 +142,7 @@ pub(super) fn candidates(
             Group::Constraint(rule) => {
                 let off = instance.rule_as_written(rule).map(|it| Edit::SwitchOff {
                     index: rule as u32,
-                    rule: it.called(),
+                    rule: it.called_among(instance.agents()),
                 });
                 off.map(Candidate::Edit)
             }

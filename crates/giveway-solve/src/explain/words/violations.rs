@@ -11,6 +11,8 @@ use crate::explain::Here;
 
 /// The most that a sentence tells one by one.
 const MOST: usize = 3;
+/// The most robots that are named beside the one that would break a rule.
+const MOST_OTHERS: usize = 3;
 
 /// The violations in the order in which a sentence tells them. Where there are more than it tells
 /// one by one, those with the robots that are let pass come first: who is named as let pass is
@@ -79,8 +81,9 @@ fn phrase(agent: &str, violation: &Violation, instance: Option<&Instance>) -> St
 /// The rule of the scene's own that is broken.
 fn named(violation: &Violation, instance: Option<&Instance>) -> Option<String> {
     let index = violation.broken.as_ref()?.index;
-    let rule = instance?.rule_as_written(index as usize)?;
-    Some(rule.called())
+    let instance = instance?;
+    let rule = instance.rule_as_written(index as usize)?;
+    Some(rule.called_among(instance.agents()))
 }
 
 fn of_rule(agent: &str, violation: &Violation, instance: Option<&Instance>) -> String {
@@ -115,6 +118,9 @@ fn of_rule(agent: &str, violation: &Violation, instance: Option<&Instance>) -> S
         Rule::Goal => tr!("a robot would" => "not end at its goal").to_owned(),
         Rule::Charge => tr!("a robot would" => "charge at time {time}, where it cannot", time),
         Rule::Constraint => match named(violation, instance) {
+            Some(rule) if (1..=MOST_OTHERS).contains(&others.len()) => {
+                tr!("a robot would" => "break {rule} with {other} at time {time}", rule, other, time)
+            }
             Some(rule) => tr!("a robot would" => "break {rule} at time {time}", rule, time),
             None => tr!("a robot would" => "break a rule of the scene at time {time}", time),
         },
