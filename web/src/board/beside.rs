@@ -8,7 +8,7 @@ use giveway_page::board::{Camera, Cast, Window, reasons_beside};
 use giveway_page::grow::Room;
 use giveway_page::inside::Overlay;
 use giveway_page::{Answer, words};
-use web_sys::KeyboardEvent;
+use web_sys::{Element, KeyboardEvent};
 use yew::prelude::*;
 
 use super::cells::Cells;
@@ -40,6 +40,19 @@ pub(crate) struct BesideProps {
     pub(crate) onkeydown: Callback<KeyboardEvent>,
 }
 
+/// Where two plans are pages to swipe, the one that was just opened is in sight.
+#[hook]
+fn use_page(area: &NodeRef) {
+    let area = area.clone();
+    use_effect_with((), move |()| {
+        let pages = area.cast::<Element>();
+        let pages = pages.and_then(|area| area.closest(".boards").ok().flatten());
+        if let Some(pages) = pages {
+            pages.set_scroll_left(pages.scroll_width());
+        }
+    });
+}
+
 /// The grid of that plan, as large as the room that it gets.
 #[component]
 pub(crate) fn Beside(props: &BesideProps) -> Html {
@@ -52,6 +65,7 @@ pub(crate) fn Beside(props: &BesideProps) -> Html {
         onkeydown,
     } = props;
     let area = use_node_ref();
+    use_page(&area);
     let world = Place::Beside.world(state);
     let board = (world.grid().width(), world.grid().height());
     let viewport = use_viewport(&area, Room::of(board), Camera::default());

@@ -25,10 +25,17 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
     html! {
         <>
             { head(card, send) }
+            if card.marks {
+                <section>
+                    <h3>{ tr!("Mark a place on the board") }</h3>
+                    <ul class="asks">{ marking(Tool::Zone, tr!("A limit, a closure: mark a zone"), send) }{ marking(Tool::OneWay, tr!("One direction: lead a lane"), send) }</ul>
+                </section>
+            }
             <section class="writing" id="writing" role="group" aria-labelledby="rule-title">
                 <p class="writing-title" id="rule-title">{ icon::show(card.icon) }{ match &card.zone {
                     _ if card.asks => tr!("Why not a plan in which …?").to_owned(),
                     Some(zone) => tr!("A rule for {zone}", zone),
+                    None if card.marks => tr!("Or a rule for the whole floor").to_owned(),
                     None => tr!("A rule").to_owned(),
                 } }</p>
                 <p class={classes!("sentence", chooses.then_some("chooses"))}>{ for card.pieces.iter().map(|of| piece(card, of, send)) }</p>
@@ -40,12 +47,6 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 <section>
                     <h3>{ tr!("Or one of these") }</h3>
                     <ul class="asks">{ for card.offers.iter().map(|of| offer(of, send)) }</ul>
-                </section>
-            }
-            if card.marks {
-                <section>
-                    <h3>{ tr!("Or mark a place on the board") }</h3>
-                    <ul class="asks">{ marking(Tool::Zone, tr!("A limit, a closure: mark a zone"), send) }{ marking(Tool::OneWay, tr!("One direction: lead a lane"), send) }</ul>
                 </section>
             }
             if let (Some(zone), false) = (&card.zone, card.stays.is_empty()) {
@@ -206,7 +207,7 @@ fn offer(offer: &Offer, send: &Callback<Action>) -> Html {
     });
     html! {
         <li key={offer.sentence.clone()}><button type="button" class="ask" {onclick}>
-            { icon::show(offer.icon) }<span>{ offer.sentence.clone() }</span>{ icon::at_end("plus") }
+            { icon::show(offer.icon) }<span>{ offer.sentence.clone() }</span>{ icon::at_end("chevron") }
         </button></li>
     }
 }
@@ -263,9 +264,19 @@ pub(super) fn foot(card: &Card, send: &Callback<Action>) -> Html {
             </footer>
         };
     }
+    // What no plan can keep is not the next step.
+    let is_never = card.judged.ruling == Ruling::Never;
+    let (class, words) = if is_never && !card.is_edited {
+        ("outline", tr!("Add it anyway"))
+    } else if is_never {
+        ("outline", words)
+    } else {
+        ("primary", words)
+    };
     html! {
         <footer class="foot making">
-            <button type="button" class="btn primary" disabled={is_off} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>
+            if is_never { <p class="which">{ card.judged.title.clone() }</p> }
+            <button type="button" class={classes!("btn", class)} disabled={is_off} onclick={add}>{ icon::show(icon) }<span>{ words }</span></button>
             <button type="button" class="btn outline" onclick={act(send, || RuleAction::Cancel)}>{ tr!("Cancel") }</button>
         </footer>
     }

@@ -182,7 +182,10 @@ fn open(row: &Row, send: &Callback<Action>) -> Html {
 /// What the best plan costs with a rule and without it.
 fn costs_of(costs: &[CostsOfRule]) -> Html {
     let row = |cost: &CostsOfRule| {
-        let with = cost.with.map_or_else(String::new, |with| with.to_string());
+        let with = cost.with.map_or_else(
+            || tr!("costs with a rule that no plan keeps" => "no plan").to_owned(),
+            |with| with.to_string(),
+        );
         html! {
             <tr class={(cost.with == Some(cost.without)).then_some("same")}>
                 <th scope="row">{ cost.title }</th><td>{ with }</td><td>{ cost.without }</td>

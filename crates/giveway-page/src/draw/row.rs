@@ -62,6 +62,9 @@ fn remark(state: &State, shape: Shape) -> Option<&'static str> {
         Shape::Row if state.view.fleet.is_none() => {
             Some(tr!("Drag: where they start. Then where they go."))
         }
+        Shape::Pen if state.view.tool == Tool::Zone => {
+            Some(tr!("Draw over the cells of the zone."))
+        }
         Shape::Rectangle => Some(tr!("Drag from corner to corner.")),
         Shape::Line => Some(tr!("Drag from end to end.")),
         Shape::Row | Shape::Pen | Shape::Fill | Shape::Racks | Shape::Blocks => None,

@@ -101,7 +101,7 @@ pub(super) fn told(state: &State, rule: usize) -> Option<String> {
     let core = core(state)?;
     let is_one = rules(core).any(|(.., index)| index == rule);
     is_one.then(|| {
-        if core.minimal {
+        if core.minimal || super::price::decides(state, rule) {
             tr!("a rule" => "part of why there is no plan").to_owned()
         } else {
             tr!("a rule" => "perhaps part of why there is no plan").to_owned()

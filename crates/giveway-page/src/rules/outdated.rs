@@ -10,6 +10,9 @@ use giveway_model::{sorting::set, tr};
 use super::{broken, ranges};
 use crate::{Answer, Document, Draft, State};
 
+/// A rule of more letters is not in the sentence: the board would move for it.
+const LONGEST_SAID: usize = 50;
+
 /// At most so many stretches of time are told.
 const STRETCHES: usize = 2;
 
@@ -133,9 +136,16 @@ pub(super) fn told(state: &State, rule: usize) -> Option<String> {
 pub(crate) fn sentence(state: &State) -> Option<String> {
     let first = of(state)?.violations.first()?.broken.as_ref()?.index as usize;
     let scene = state.document.draft.scene();
-    let rule = scene.constraints.get(first)?;
+    let rule = super::called(scene, scene.constraints.get(first)?);
+    if rule.chars().count() > LONGEST_SAID {
+        // It is red in the list and on the board.
+        return Some(
+            tr!("This plan breaks a rule that came after it, shown in red. Solve again.")
+                .to_owned(),
+        );
+    }
     Some(tr!(
         "This plan breaks a rule that came after it: {rule}. Solve again.",
-        rule = super::called(scene, rule)
+        rule
     ))
 }

@@ -198,6 +198,11 @@ pub(crate) fn without(state: &State, rule: usize) -> Option<Without> {
     Some(Without { rule, answer })
 }
 
+/// Whether it is proved that there is a plan without a rule, and none with it.
+pub(super) fn decides(state: &State, rule: usize) -> bool {
+    price(state, rule).is_some_and(|price| price.exact && price.price == Price::Decides)
+}
+
 /// The price of a rule, as far as it is known.
 fn price(state: &State, rule: usize) -> Option<&RulePrice> {
     let told = state.prices()?.told.as_deref()?;

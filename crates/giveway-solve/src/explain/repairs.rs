@@ -182,10 +182,11 @@ impl RepairSearch<'_> {
         self.exhaustive &= best.proved && is_least;
         sort_by_key(&mut edits, rank);
         self.found.push(Repair {
-            text: words::repair(&edits, is_least, &best.costs),
+            text: words::repair(&edits, is_least, &best.costs, best.proved),
             edits,
             least: is_least,
             costs: best.costs,
+            proved: best.proved,
             plan: best.plan,
         });
         outcome

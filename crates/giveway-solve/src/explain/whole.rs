@@ -260,10 +260,11 @@ impl WholePlan<'_> {
             }
             let costs = self.costs(repair.costs, &repair.plan);
             Repair {
-                text: words::repair(&edits, repair.least, &costs),
+                text: words::repair(&edits, repair.least, &costs, repair.proved),
                 edits,
                 least: repair.least,
                 costs,
+                proved: repair.proved,
                 plan: snapshot.whole(&repair.plan),
             }
         };

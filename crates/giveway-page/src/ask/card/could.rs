@@ -185,7 +185,13 @@ fn text(it: &Variation, places: usize) -> String {
         (VariationKind::Elsewhere, None, _) => tr!("Wait elsewhere").to_owned(),
         (VariationKind::OtherWay, ..) => tr!("Go another way").to_owned(),
         (VariationKind::Swapped, _, Some(other)) => {
-            tr!("Go first, and {other} waits instead", other)
+            let mut pays = it.pays.iter();
+            match pays.find(|it| it.agent == *other) {
+                Some(it) if it.more_waits <= 0 && it.other_way => {
+                    tr!("Go first, and {other} goes another way", other)
+                }
+                Some(_) | None => tr!("Go first, and {other} waits instead", other),
+            }
         }
         (VariationKind::Swapped, _, None) => tr!("Go first").to_owned(),
         (VariationKind::Others, ..) => {

@@ -17,9 +17,9 @@ mod verdict;
 use std::collections::BTreeSet;
 
 use giveway_model::words::and;
-use giveway_model::{Question, tr};
+use giveway_model::{Objective, Question, tr};
 use giveway_solve::explain::{
-    Core, ExplainAnswer, Fact, Layer, edits_in_words, facts_claim, facts_title, helps_mark,
+    Core, ExplainAnswer, Fact, Layer, Repair, edits_in_words, facts_claim, facts_title, helps_mark,
     witness_title,
 };
 use giveway_solve::words::reach;
@@ -101,7 +101,7 @@ pub fn card(state: &State) -> Option<Card> {
                 let repair = words::unnested(&edits_in_words(&repair.edits));
                 tr!("{repair}. Perhaps less would do.", repair)
             },
-            costs: words::values(objective, &repair.costs),
+            costs: costs_of(repair, objective),
             difference: costs::first_difference(asking, &repair.costs),
         })
         .collect();
@@ -206,6 +206,16 @@ fn about_others(told: &ExplainAnswer, core: &Core) -> Option<String> {
             more
         )
     })
+}
+
+/// What a repair leads to, in the order of an objective.
+fn costs_of(repair: &Repair, objective: &Objective) -> String {
+    let costs = words::values(objective, &repair.costs);
+    if repair.proved {
+        costs
+    } else {
+        tr!("costs that were found" => "{costs}, or less", costs)
+    }
 }
 
 /// The rule that a fact is, where there is no plan and it can be loosened in the list of rules.

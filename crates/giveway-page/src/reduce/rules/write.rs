@@ -120,6 +120,10 @@ fn shows_twin(state: &mut State, rule: &Constraint, but: Option<usize>) -> bool 
 /// Leaves the rule that was written out. A zone that is new stays, which is said.
 pub(super) fn cancel(state: &mut State) {
     let writing = state.view.rules.writing.take();
+    if state.view.tool.is_of_rules() {
+        // A press on the board looks at something again.
+        state.view.tool = Tool::Select;
+    }
     let zone = writing.as_deref().and_then(Writing::zone);
     let scene = state.document.draft.scene();
     let is_used = |zone: &str| {

@@ -105,6 +105,9 @@ pub struct Repair {
     pub least: bool,
     /// The costs of the plan.
     pub costs: Costs,
+    /// Whether no plan of the edited instance is better.
+    #[serde(default)]
+    pub proved: bool,
     /// A best plan of the edited instance, or one found in time.
     pub plan: Plan,
     /// The repair as a sentence.

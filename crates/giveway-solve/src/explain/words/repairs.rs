@@ -5,9 +5,10 @@ use giveway_model::{Costs, tr};
 
 use crate::explain::answer::Edit;
 
-/// A repair with what it leads to, and whether less is proved not to help.
-pub(crate) fn repair(edits: &[Edit], is_least: bool, costs: &Costs) -> String {
-    let repair = led_to(&edits_in_words(edits), costs);
+/// A repair with what it leads to, whether less is proved not to help, and whether no plan is
+/// better then.
+pub(crate) fn repair(edits: &[Edit], is_least: bool, costs: &Costs, is_best: bool) -> String {
+    let repair = led_to(&edits_in_words(edits), costs, is_best);
     if is_least {
         repair + "."
     } else {
@@ -15,15 +16,21 @@ pub(crate) fn repair(edits: &[Edit], is_least: bool, costs: &Costs) -> String {
     }
 }
 
-/// Edits with what they lead to: `remove the obstacle at (3, 1): makespan 4, sum of costs 7`.
-pub(super) fn led_to(edits: &str, costs: &Costs) -> String {
+/// Edits with what they lead to: `remove the obstacle at (3, 1): makespan 4, sum of costs 7`; where
+/// a better plan may exist, that is said.
+pub(super) fn led_to(edits: &str, costs: &Costs, is_best: bool) -> String {
     let (makespan, sum) = (costs.makespan, costs.sum_of_costs);
-    tr!(
+    let led_to = tr!(
         "{edits}: makespan {makespan}, sum of costs {sum}",
         edits,
         makespan,
         sum
-    )
+    );
+    if is_best {
+        led_to
+    } else {
+        tr!("{led_to}, or less", led_to)
+    }
 }
 
 /// Edits as a sentence without its full stop: `Remove the obstacle at (3, 1)`.

@@ -187,6 +187,6 @@ pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     }
     Some(tr!(
         "It would help to {do_so}.",
-        do_so = led_to(&phrase(&first.edits), &first.costs)
+        do_so = led_to(&phrase(&first.edits), &first.costs, first.proved)
     ))
 }

@@ -63,6 +63,7 @@ fn told(state: &State) -> ExplainAnswer {
         }],
         least: true,
         costs,
+        proved: true,
         plan: plan.clone(),
         text: "Drop A1's waypoint (4, 2)".to_owned(),
     };
