@@ -316,7 +316,7 @@ fn explain_and_change_results_are_accepted() {
         "core": { "facts": [{ "kind": "obstacle", "agents": [], "cell": [0, 0], "text": "..",
                                "helps": null }],
                   "minimal": true },
-        "repairs": [{ "edits": [{ "edit": "vanish" }], "least": true, "costs": solved()["costs"],
+        "repairs": [{ "edits": [{ "edit": "vanish" }], "least": true, "proved": true, "costs": solved()["costs"],
                       "plan": solved()["plan"], "text": ".." }],
         "further_repairs": 0, "exhaustive": false, "words": "..",
     });
