@@ -21,6 +21,7 @@ mod ledger;
 mod order;
 mod pays;
 mod planners;
+mod prices;
 mod proof;
 mod questions;
 mod rule_card;

@@ -156,8 +156,8 @@ pub fn list(state: &State) -> Option<List> {
                 )
             })
             .collect(),
-        left_open: super::price::left_open(state),
-        longer: super::price::longer(state),
+        left_open: super::left_open::left_open(state),
+        longer: super::left_open::longer(state),
         can_ask: on > 0 && state.document.draft.instance().is_ok(),
         told: said.filter(|_| asking.is_none()).unwrap_or_default(),
         summary: if asking.is_none() {

@@ -12,10 +12,6 @@ use crate::{Answer, Document, Draft, State, Task};
 
 /// So many plans of scenes before are handed on.
 const MOST_PLANS: usize = 8;
-/// So many times as long it goes on after a search that brought nothing.
-const LONGER: u32 = 4;
-/// The longest that it goes on by itself, in seconds.
-const LONGEST: u32 = 3600;
 
 /// What the rules of a scene cost, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,22 +26,6 @@ pub(crate) struct Pricing {
     pub(crate) before: Option<Rc<PriceAnswer>>,
     /// For so long they may be looked for, in seconds.
     pub(crate) seconds: u32,
-}
-
-impl Pricing {
-    /// Whether it went on, and nothing came of that.
-    fn is_as_before(&self) -> bool {
-        let known = |answer: &PriceAnswer| -> Vec<_> {
-            let prices = answer.prices.iter();
-            prices
-                .map(|price| (price.price, price.at_least, price.at_most))
-                .collect()
-        };
-        let before = self.before.as_deref();
-        let told = self.told.as_deref();
-        let is_done = told.is_some_and(|told| told.pending == 0);
-        is_done && before.is_some() && before.map(known) == told.map(known)
-    }
 }
 
 /// The price of a rule, as its row shows it.
@@ -85,24 +65,10 @@ pub(crate) fn request(state: &State) -> PriceRequest {
         loosen: None,
         known: Some(Box::new(known_prices(state))),
         limits: Limits {
-            seconds: Some(f64::from(seconds(state))),
+            seconds: Some(f64::from(super::left_open::seconds(state))),
             ..Limits::default()
         },
     }
-}
-
-/// For how long prices are looked for next, in seconds: as Settings say, and longer after a search
-/// that brought nothing.
-pub(crate) fn seconds(state: &State) -> u32 {
-    let longer = longer(state);
-    longer.unwrap_or(state.settings.seconds)
-}
-
-/// The time of the next search where it is longer than that of Settings, in seconds.
-pub(super) fn longer(state: &State) -> Option<u32> {
-    let prices = state.prices().filter(|prices| prices.is_as_before())?;
-    let longer = prices.seconds.saturating_mul(LONGER).min(LONGEST);
-    (longer > state.settings.seconds).then_some(longer)
 }
 
 /// What earlier answers about the scene on the board say.
@@ -137,30 +103,6 @@ fn earlier_plans(state: &State) -> Vec<Plan> {
     }
     let plans = answers.into_iter().filter_map(|answer| answer.plan());
     plans.cloned().collect()
-}
-
-/// Why not every price is known, as a sentence; nothing while they are asked for.
-pub(super) fn left_open(state: &State) -> Option<String> {
-    let prices = state.prices()?;
-    let told = prices.told.as_deref()?;
-    let is_open = told.prices.iter().any(|price| !price.exact);
-    if !is_open || state.is_pricing() {
-        return None;
-    }
-    if told.pending > 0 {
-        return Some(tr!("It was stopped before every price was known.").to_owned());
-    }
-    let why = tr!(
-        "Not every price could be proved within {n} second and the memory that the page takes."
-            | "Not every price could be proved within {n} seconds and the memory that the page takes."
-                % prices.seconds
-    );
-    Some(if prices.is_as_before() {
-        let nothing = tr!("Going on has brought nothing new; more time may.");
-        format!("{why} {nothing}")
-    } else {
-        why
-    })
 }
 
 /// The best plan without a rule, which is shown beside the plan.
