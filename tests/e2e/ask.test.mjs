@@ -30,12 +30,17 @@ describe("asking why", () => {
     await playground.cellTells(2, 2, /A1/, playground.other);
     await playground.cellTells(2, 1, /A2/, playground.other);
     if (playground.isPhone()) {
-      // They are pages: the edge of the other one is seen, and a finger brings it here.
-      const right = async () => (await playground.other.boundingBox()).x;
-      const width = playground.page.viewportSize().width;
-      assert.ok(await right() < width && await right() > width * 0.6, "the edge of the other plan");
-      await playground.page.locator(".boards").evaluate((boards) => boards.scrollTo({ left: boards.scrollWidth }));
-      await eventually("the other plan", right, (x) => x < width * 0.3);
+      // They are pages: the one that was opened is in sight with the edge of this one, and a finger brings this one back.
+      const { width } = playground.page.viewportSize();
+      const pages = playground.page.locator(".boards");
+      const left = async () => (await playground.other.boundingBox()).x;
+      await eventually("the other plan", left, (x) => x < width * 0.3);
+      const own = await pages.locator("figure").first().boundingBox();
+      assert.ok(own.x < 0 && own.x + own.width > 4, "the edge of this plan");
+      await pages.evaluate((boards) => boards.scrollTo({ left: 0 }));
+      await eventually("this plan", left, (x) => x > width * 0.6);
+      await pages.evaluate((boards) => boards.scrollTo({ left: boards.scrollWidth }));
+      await eventually("the other plan again", left, (x) => x < width * 0.3);
       await playground.fits();
       await playground.picture("other-plan");
     } else {
