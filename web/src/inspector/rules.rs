@@ -164,17 +164,18 @@ fn open(row: &Row, send: &Callback<Action>) -> Html {
     let costs = row.price.as_ref().filter(|price| !price.costs.is_empty());
     html! {
         <div class="rule-more">
-            { for costs.map(|price| costs_of(&price.costs)) }
+            { button("edit", tr!("Edit"), None, act(send, move || RuleAction::Edit(index))) }
+            { loosen(row, send) }
+            if !row.is_on { { button("question", tr!("What would it cost?"), None, act(send, move || RuleAction::AskAbout(index))) } }
+            { button("erase", tr!("Remove"), None, act(send, move || RuleAction::Remove(index))) }
+            // What comes with its price comes last: nothing else moves under the finger that asked for it.
             if row.price.as_ref().is_some_and(|price| price.has_plan) {
                 { button("compare", tr!("Show the plan without it"), Some(row.is_beside), {
                     let beside = row.is_beside;
                     act(send, move || RuleAction::Without((!beside).then_some(index)))
                 }) }
             }
-            { button("edit", tr!("Edit"), None, act(send, move || RuleAction::Edit(index))) }
-            { loosen(row, send) }
-            if !row.is_on { { button("question", tr!("What would it cost?"), None, act(send, move || RuleAction::AskAbout(index))) } }
-            { button("erase", tr!("Remove"), None, act(send, move || RuleAction::Remove(index))) }
+            { for costs.map(|price| costs_of(&price.costs)) }
         </div>
     }
 }
