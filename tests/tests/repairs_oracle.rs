@@ -192,6 +192,7 @@ impl Seen {
         match best(&edited_instance(instance, &repair.edits)) {
             Verdict::Best(point) => {
                 let told = repair.costs.vector(instance.objective());
+                let is_proved = is_proved || repair.proved;
                 let is_right = told == point.vector || (!is_proved && told > point.vector);
                 if !is_right {
                     faults.push(format!("costs {:?}: {}", point.vector, repair.text));
