@@ -20,7 +20,7 @@ const LATER = /^app-.*_later\.wasm$/;
  */
 const STAGES = [
   ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 33_200],
-  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 610_000],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 613_000],
   ["until it can solve", /^worker-|^solver-(?!.*_later)/, 770_000],
   ["until all of the page is there", LATER, 1_360_000],
 ];
