@@ -17,7 +17,8 @@ const NEXT: char = '~';
 /// Between a question and its answer, or a mark and what it is about.
 const TOLD: char = '!';
 
-/// What is found, as parts of the document's text.
+/// What was found out, as parts of the document's text. A ledger that is still added up is not: it is
+/// asked for again.
 pub(super) fn write(document: &Document) -> String {
     let mut text = String::new();
     let prices = document.prices();
@@ -29,6 +30,7 @@ pub(super) fn write(document: &Document) -> String {
     }
     let ledger = document.ledger();
     if let Some((ledger, told)) = ledger.and_then(|ledger| Some((ledger, ledger.told.as_deref()?)))
+        && !told.pending
     {
         let is_of_report = if ledger.is_of_report { '1' } else { '0' };
         text += "&ledger=";
