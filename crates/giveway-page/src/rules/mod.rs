@@ -24,7 +24,7 @@ mod writing;
 
 use std::rc::Rc;
 
-use giveway_model::{Constraint, Scene, tr};
+use giveway_model::{Constraint, Scene};
 pub use giveway_picture::zone_of;
 
 use crate::{Activity, State};
@@ -76,15 +76,6 @@ pub struct RulesView {
     pub(crate) clash: Option<Rc<Clash>>,
     /// How a rule of a scene can be loosened; it may be of an older scene.
     pub(crate) loosening: Option<Rc<Loosening>>,
-}
-
-/// A rule within a sentence, by its name or in as few words as in the list.
-pub(crate) fn called(scene: &Scene, rule: &Constraint) -> String {
-    let sentence = card::plain(&pieces(rule, &scene.agents, false));
-    match &rule.name {
-        None if rule.agents.is_some() => tr!("the rule \"{sentence}\"", sentence),
-        Some(_) | None => rule.called(),
-    }
 }
 
 impl State {

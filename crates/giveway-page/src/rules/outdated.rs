@@ -136,7 +136,7 @@ pub(super) fn told(state: &State, rule: usize) -> Option<String> {
 pub(crate) fn sentence(state: &State) -> Option<String> {
     let first = of(state)?.violations.first()?.broken.as_ref()?.index as usize;
     let scene = state.document.draft.scene();
-    let rule = super::called(scene, scene.constraints.get(first)?);
+    let rule = scene.constraints.get(first)?.called_among(&scene.agents);
     if rule.chars().count() > LONGEST_SAID {
         // It is red in the list and on the board.
         return Some(
