@@ -6,6 +6,7 @@ import { describe } from "node:test";
 
 import { flows, sample } from "./flow.mjs";
 import { choose } from "./language.mjs";
+import { onPages, pagesOf } from "./paper.mjs";
 import { eventually } from "./wait.mjs";
 
 const LANGUAGES = [
@@ -18,6 +19,8 @@ const SIZES = [
   { robots: 16, pages: [2, 4] },
   { robots: 200, pages: [4, 12] },
 ];
+/** What is printed on of a sheet of A4, in pixels: 178 by 263 millimetres. */
+const PAPER = { width: 673, height: 994 };
 /** The most busy cells that are told. */
 const BUSIEST = 8;
 
@@ -50,35 +53,47 @@ describe("the report", () => {
 
         const cut = await onPaper(page);
         assert.deepEqual(cut, { clipped: [], beyond: [], breaks: [], rows: robots });
-        const pdf = (await page.pdf({ format: "A4", printBackground: true })).toString("latin1");
-        const count = pdf.match(/\/Type\s*\/Page\b(?!s)/g).length;
-        assert.ok(count >= pages[0] && count <= pages[1], `${count} pages`);
+        const paper = await pagesOf(await page.pdf({ format: "A4", printBackground: true }));
+        assert.ok(paper.length >= pages[0] && paper.length <= pages[1], `${paper.length} pages`);
+        assert.deepEqual(paper.flatMap(({ outside }) => outside), [], "nothing outside of the margins");
+        for (const rows of [told.costs, told.robots, told.busiest]) {
+          const heads = rows === told.robots ? told.heads : [];
+          assert.deepEqual(onPages(paper, { heads, rows }), { split: [], headless: [] });
+        }
         await page.getByRole("button", { name: language.close }).last().click();
         await sheet.waitFor({ state: "detached" });
       }, { screens: ["desktop"] });
     }
   }
 
-  flow("tells what the command tells", async (playground, { page }) => {
-    const [language] = LANGUAGES;
-    await playground.open(sample("report/warehouse.json"));
-    await playground.shows("warehouse");
-    await playground.press("Solve");
-    await playground.says(/^Optimal/);
-    await item(page, language, language.report);
-    await page.locator("dialog .report").waitFor();
-    await page.locator("dialog .report").getByRole("heading", { name: "Who is last, and why" }).waitFor();
-    const html = await saved(page, language, () => page.getByRole("button", { name: language.html }).click());
-    const command = readFileSync(sample("report/warehouse.html"), "utf8");
-    // The command knows neither the day nor an address of a page.
-    const date = /(<p class="brand">Giveway<\/p>)<p>([^<]*)<\/p>/;
-    assert.ok(html.match(date)[2].includes(String(new Date().getFullYear())), "the day on which it is made");
-    const link = /<p class="report-link">[^]*?<\/p>\n/;
-    assert.match(html.match(link)[0], /<a href="http[^"]*#giveway=1&amp;check=/);
-    assert.equal(await articleOf(page, html.replace(link, "").replace(date, "$1")), await articleOf(page, command));
-    await page.getByRole("button", { name: language.close }).last().click();
-  }, { screens: ["desktop"] });
+  for (const scene of ["warehouse", "rows-16", "rows-200"]) {
+    flow(`tells what the command tells of ${scene}`, (playground, { page }) => asCommand(playground, page, scene), { screens: ["desktop"] });
+  }
 });
+
+/** The report of a scene on the page and from the command: `crates/giveway-cli/tests/command/report.rs` writes it. */
+async function asCommand(playground, page, scene) {
+  const [language] = LANGUAGES;
+  await playground.says(/^Optimal/);
+  await playground.open(sample(`report/${scene}.json`));
+  await playground.shows(scene.replace(/-.*/, ""));
+  await playground.press("Solve");
+  await playground.says(/^Optimal/);
+  await item(page, language, language.report);
+  await page.locator("dialog .report").waitFor();
+  await page.locator("dialog .report").getByRole("heading", { name: "Who is last, and why" }).waitFor();
+  const html = await saved(page, language, () => page.getByRole("button", { name: language.html }).click());
+  const command = readFileSync(sample(`report/${scene}.html`), "utf8");
+  // The command knows neither the day nor an address of a page.
+  const date = /(<p class="brand">Giveway<\/p>)<p>([^<]*)<\/p>/;
+  assert.ok(html.match(date)[2].includes(String(new Date().getFullYear())), "the day on which it is made");
+  const link = /<p class="report-link">[^]*?<\/p>\n/;
+  // What 200 robots drive is too long for an address.
+  const address = html.match(link)?.[0] ?? "";
+  assert.match(address, scene === "rows-200" ? /^$/ : /<a href="http[^"]*#giveway=1&amp;check=/);
+  assert.equal(await articleOf(page, html.replace(link, "").replace(date, "$1")), await articleOf(page, command));
+  await page.getByRole("button", { name: language.close }).last().click();
+}
 
 /** A scene with so many robots, with a plan. */
 async function open(playground, robots) {
@@ -88,21 +103,10 @@ async function open(playground, robots) {
   }
   await playground.open(robots === 16
     ? sample("depot/depot.json")
-    : { name: "rows.json", bytes: JSON.stringify(inRows(robots)) });
+    : sample("report/rows-200.json"));
   await playground.says(/^No plan yet/);
   await playground.press("Solve");
   await eventually("a plan", () => playground.status.textContent(), (text) => /^(Optimal|Best)/.test(text), 60_000);
-}
-
-/** Robots four in a row, each of which goes five cells right. */
-function inRows(robots) {
-  const width = 60;
-  const agents = Array.from({ length: robots }, (_, n) => {
-    const [x, y] = [15 * (n % 4), Math.floor(n / 4)];
-    return { name: `R${n + 1}`, start: [x, y], goal: [x + 5, y] };
-  });
-  const map = Array.from({ length: Math.ceil(robots / 4) }, () => ".".repeat(width));
-  return { giveway: 1, name: "rows", map, agents, units: { cell: 0.8, step: 1.5 } };
 }
 
 async function item(page, language, name) {
@@ -185,6 +189,8 @@ function articleOf(page, html) {
 
 /** What is cut on paper, and rows that a page may end in. */
 async function onPaper(page) {
+  const screen = page.viewportSize();
+  await page.setViewportSize(PAPER);
   await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
   await page.emulateMedia({ media: "print" });
   await page.locator(".paper-report .report").waitFor();
@@ -201,5 +207,6 @@ async function onPaper(page) {
   });
   await page.emulateMedia({ media: null });
   await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await page.setViewportSize(screen);
   return told;
 }

@@ -1,5 +1,8 @@
 //! `giveway report`.
 
+use std::fs;
+use std::path::Path;
+
 use expect_test::expect_file;
 
 use crate::run::{Folder, WAREHOUSE, WAREHOUSE_PLAN, two_agents};
@@ -74,6 +77,21 @@ fn the_best_plan_is_reported_with_its_proof() {
     assert_eq!(sorted, ["17", "18"]);
     assert!(!html.contains("<script"));
     assert!(!html.contains("http"), "it needs nothing else");
+}
+
+/// The page tells the same of these, too.
+#[test]
+fn many_robots_are_reported() {
+    for robots in [16, 200] {
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join(format!("../../tests/data/report/rows-{robots}.json"));
+        let folder = Folder::with(&[("rows.json", &fs::read_to_string(&scene).unwrap())]);
+        let run = folder.run("report rows.json -o report.html");
+        assert_eq!((run.exit, run.out.as_str()), (Some(0), ""), "{}", run.err);
+        let html = folder.read("report.html");
+        assert_eq!(rows(&html, "report-robots").len(), robots);
+        expect_file![scene.with_extension("html")].assert_eq(&html);
+    }
 }
 
 #[test]

@@ -71,15 +71,19 @@ fn sheet(grid: &Grid) -> String {
     let longest = width.max(height);
     let rim = (f64::from(longest) * CELL * RIM).max(70.0);
     let (across, down) = (100 * width, 100 * height);
+    // The numbers of rows stand left of the map: all of their digits have room.
+    let digits = f64::from(height.saturating_sub(1).max(1).ilog10() + 1);
+    let left = rim * (0.42 * digits + 0.4).max(1.0);
+    let wide = f64::from(across) + 0.1 * rim + left;
     let mut svg = String::new();
     push(
         &mut svg,
         format_args!(
             "<svg class=\"report-map\" width=\"{:.0}\" viewBox=\"{:.0} {:.0} {:.0} {:.0}\" role=\"img\" aria-label=\"{}\">",
-            (f64::from(across) + 1.1 * rim) * CELL_PX / CELL,
+            wide * CELL_PX / CELL,
+            -left,
             -rim,
-            -rim,
-            f64::from(across) + 1.1 * rim,
+            wide,
             f64::from(down) + 1.1 * rim,
             Escaped(tr!("The floor: starts, goals, busiest cells"))
         ),
