@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
 import { audit } from "./audit.mjs";
-import { BOTH, flows } from "./flow.mjs";
+import { BOTH, flows, sample } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
 
 describe("how many robots", () => {
@@ -38,7 +38,7 @@ describe("how many robots", () => {
     await eventually("the own robots", () => playground.board.locator("g.agent").count(), (n) => n === before);
   }, { screens: BOTH });
 
-  flow("are compared with a charger more, saved as a table, and cancelled", async (playground, { page }) => {
+  flow("are compared with a charger more, and saved as a table", async (playground, { page }) => {
     await playground.says(/^Optimal/);
     await open(page);
     await say(page, "First number of robots", "2");
@@ -59,6 +59,34 @@ describe("how many robots", () => {
     assert.match(lines[0], /Robots,Floor,Known,Last arrival/);
     await page.getByRole("tab", { name: "Timeline" }).first().click();
     await page.locator(".dock.sizing").waitFor({ state: "detached" });
+  });
+
+  flow("are solved no further once cancelled: the plans so far stay, and the page answers meanwhile", async (playground, { page }) => {
+    await playground.says(/^Optimal/);
+    await playground.open(sample("depot/depot.json"));
+    await playground.says(/^No plan yet/);
+    await open(page);
+    await say(page, "First number of robots", "1");
+    await say(page, "Last number of robots", "60");
+    await say(page, "More each time", "1");
+    const solve = page.getByRole("button", { name: /^Solve \d+ plans$/ });
+    const all = Number((await solve.innerText()).match(/\d+/)[0]);
+    await solve.click();
+    await eventually("two plans", () => dots(page).count(), (n) => n >= 2, 30_000);
+    // While more are solved, the theme is changed at once.
+    const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
+    const [before, asked] = [await theme(), Date.now()];
+    await page.getByRole("button", { name: "Theme", exact: true }).click();
+    await eventually("another theme", theme, (now) => now !== before);
+    assert.ok(Date.now() - asked < 2000, `after ${Date.now() - asked} ms`);
+    await page.getByRole("button", { name: "Cancel", exact: true }).click();
+    await page.getByRole("button", { name: "Cancel", exact: true }).waitFor({ state: "detached" });
+    const kept = await dots(page).count();
+    assert.ok(kept >= 2 && kept < all, `${kept} of ${all} plans`);
+    await page.waitForTimeout(1500);
+    assert.equal(await dots(page).count(), kept, "no plan comes after it");
+    await dots(page).first().click();
+    await eventually("one robot", () => playground.board.locator("g.agent").count(), (n) => n === 1);
   });
 });
 

@@ -79,6 +79,10 @@ fn show(chart: &Chart, send: &Callback<Action>) -> Html {
         let (x, y) = at(dot.at);
         html! { <rect class="other" x={(x - 2.5).to_string()} y={(y - 2.5).to_string()} width="5" height="5" /> }
     };
+    // Plans that lie close are each pressed at their own place.
+    let places: Vec<f64> = chart.dots.iter().flatten().map(|dot| dot.at.0).collect();
+    let ways = places.windows(2).map(|pair| pair[1] - pair[0]);
+    let half = ways.fold(1.0, f64::min) * ROOM.0 / 2.0;
     let looked = chart.dots.iter().flatten().find(|dot| dot.is_looked);
     html! {
         <figure class="size-chart">
@@ -92,14 +96,14 @@ fn show(chart: &Chart, send: &Callback<Action>) -> Html {
                 <path class="other-line" d={path(&chart.beside)} />
                 { for chart.beside.iter().flatten().map(other) }
                 <path class="own-line" d={path(&chart.dots)} />
-                { for chart.dots.iter().flatten().map(|dot| own(dot, send)) }
+                { for chart.dots.iter().flatten().map(|dot| own(dot, half, send)) }
             </svg>
         </figure>
     }
 }
 
-/// A plan: pressing it brings it onto the board.
-fn own(dot: &Dot, send: &Callback<Action>) -> Html {
+/// A plan: pressing it brings it onto the board. `half` is half the way to the next one.
+fn own(dot: &Dot, half: f64, send: &Callback<Action>) -> Html {
     let (x, y) = at(dot.at);
     let low = at((dot.at.0, dot.low)).1;
     let class = classes!(
@@ -113,8 +117,8 @@ fn own(dot: &Dot, send: &Callback<Action>) -> Html {
         <g {class} {onclick}>
             <title>{ dot.text.clone() }</title>
             if low > y + 1.0 { <path class="low" d={format!("M{x} {y}V{low}M{} {low}h8", x - 4.0)} /> }
-            <circle class="hit" cx={x.to_string()} cy={y.to_string()} r="12" />
-            <circle cx={x.to_string()} cy={y.to_string()} r="4.5" />
+            <circle class="hit" cx={x.to_string()} cy={y.to_string()} r={half.min(12.0).to_string()} />
+            <circle cx={x.to_string()} cy={y.to_string()} r={half.clamp(2.0, 4.5).to_string()} />
             if dot.is_looked { <text class="value" x={(x - 8.0).to_string()} y={(y - 8.0).max(12.0).to_string()} text-anchor="end">{ dot.text.clone() }</text> }
         </g>
     }
