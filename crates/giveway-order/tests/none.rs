@@ -50,18 +50,8 @@ fn moves_that_would_wait_for_each_other_have_no_order() {
     // u = (1, 1), c = (2, 1) slow; D comes to u as A leaves it, goes on to v = (1, 0) while F
     // takes u, and B takes the cell of F.
     let none = order(
-        r##"{ "giveway": 1, "map": ["#..#", ".~~.", "#..#"], "agents": [
-            { "name": "A", "start": [1, 1], "goal": [2, 1] },
-            { "name": "B", "start": [2, 1], "goal": [2, 2] },
-            { "name": "D", "start": [0, 1], "goal": [1, 0] },
-            { "name": "F", "start": [1, 2], "goal": [1, 1] },
-            { "name": "G", "start": [2, 2], "goal": [1, 2] }] }"##,
-        r#"{ "giveway": 1, "paths": {
-            "A": [[1, 1], null, [2, 1]],
-            "B": [[2, 1], [2, 1], [2, 2]],
-            "D": [[0, 1], [1, 1], [1, 0]],
-            "F": [[1, 2], [1, 2], [1, 1]],
-            "G": [[2, 2], [2, 2], [1, 2]] } }"#,
+        include_str!("data/waits-for-itself.json"),
+        include_str!("data/waits-for-itself.plan.json"),
     )
     .unwrap_err();
     let told = words::no_order(&none);

@@ -71,6 +71,8 @@ impl Tally {
         for (name, count) in [
             ("links", self.links),
             ("rotations", self.rotations),
+            ("slow rotations", self.slow_rotations),
+            ("plans that would wait for themselves", self.none),
             ("shifted", self.shifted),
             ("vanish", self.vanish),
             ("changed", self.changed),

@@ -9,8 +9,11 @@
     reason = "times are small, and from 0 on"
 )]
 
+mod circular;
 mod compare;
 mod dress;
+#[path = "../messages/mod.rs"]
+mod messages;
 mod simulate;
 mod walks;
 
@@ -18,11 +21,12 @@ use giveway_model::Instance;
 use giveway_model::change::History;
 use giveway_model::check::check_changes;
 use giveway_order::OrderGraph;
-use rand::SeedableRng as _;
+use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use compare::Tally;
 use dress::Case;
+use messages::{Schemas, messages};
 
 fn number(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |text| text.parse().unwrap())
@@ -31,7 +35,12 @@ fn number(name: &str, default: u64) -> u64 {
 /// A random plan that the judge accepts.
 fn case(rng: &mut ChaCha8Rng) -> Case {
     loop {
-        let Some(case) = dress::random(rng) else {
+        let case = if rng.random_ratio(1, 30) {
+            Some(circular::random(rng))
+        } else {
+            dress::random(rng)
+        };
+        let Some(case) = case else {
             continue;
         };
         let Ok(instance) = Instance::new(case.scene.clone()) else {
@@ -46,6 +55,7 @@ fn case(rng: &mut ChaCha8Rng) -> Case {
 #[test]
 fn orders_are_safe_and_lateness_is_told_as_it_is() {
     let mut tally = Tally::default();
+    let schemas = Schemas::published();
     let first = number("GIVEWAY_SEED", 0);
     for seed in first..first + number("GIVEWAY_RANDOM_ORDERS", 300) {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
@@ -70,6 +80,7 @@ fn orders_are_safe_and_lateness_is_told_as_it_is() {
         tally.count(&case, &order);
         compare::without_lateness(seed, &case, &simulated, (&graph, &order), &instance);
         compare::released(seed, &order);
+        schemas.accept(&messages(&instance, &order));
         for _ in 0..3 {
             compare::stalled(seed, &simulated, &mut rng);
             let late = compare::latenesses(&order, &mut rng);
