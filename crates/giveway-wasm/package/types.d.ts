@@ -518,6 +518,8 @@ export interface Repair {
   /** Whether its battery, floor or deadline is proved to be the least change that helps. */
   least: boolean;
   costs: Costs;
+  /** When the robot arrives then whose arrival is asked about; left out for other questions. */
+  arrival?: number;
   /** Whether no plan of the edited instance is better. */
   proved: boolean;
   plan: Plan;

@@ -7,6 +7,7 @@ use giveway_model::{Cell, Question, sorting::sort_by_key};
 use super::{
     fitting::FittingQuestion,
     layers::{Here, Passing},
+    losses::loss,
     own_way,
     waits::{TakenOut, without_waits},
     words,
@@ -15,7 +16,9 @@ use crate::budget::Budget;
 
 /// What the plan shows; `None` where no single agent would do otherwise.
 pub(crate) fn here(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Here> {
-    let (agent, violations) = own_way::witness(case, budget)?;
+    let loss = loss(case, budget);
+    let lost = || Some((loss.as_ref()?.agent.clone(), Vec::new()));
+    let (agent, violations) = own_way::witness(case, budget).or_else(lost)?;
     let passing = match case.question {
         Question::Wait { .. } => without_waits(case.instance, case.question, case.plan)
             .map_or_else(Vec::new, |taken| passing(case, &agent, &taken)),
@@ -46,7 +49,7 @@ pub(crate) fn here(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Here> 
         violations,
         words: String::new(),
     };
-    here.words = words::here_sentence(case, &here);
+    here.words = words::here_sentence(case, &here, loss.as_ref());
     Some(here)
 }
 

@@ -17,7 +17,7 @@
 //! - [`soft`]: plans that break as few rules as can be;
 //! - [`repairs`]: edits that help;
 //! - [`waits`], [`own_way`]: what would happen; [`lone_walk`]: the walk of one agent that breaks
-//!   the fewest rules;
+//!   the fewest rules; `losses`: who arrives last, or loses most, beside its arrival alone;
 //! - [`own_plan`]: a person's own plan beside the best;
 //! - [`unsolvable`]: all of these, where there is no plan;
 //! - [`layers`]: the layers of an answer; `here`: what the plan shows; `near`: small variations of it;
@@ -44,6 +44,7 @@ mod here;
 pub(crate) mod how;
 mod layers;
 pub(crate) mod lone_walk;
+mod losses;
 mod near;
 pub(crate) mod own_plan;
 pub(crate) mod own_way;

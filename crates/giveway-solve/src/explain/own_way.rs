@@ -13,6 +13,7 @@ use super::{
     ask::{Ask, best, names, walks},
     fitting::FittingQuestion,
     lone_walk::{lone_walk, replaced},
+    losses::loss,
     waits,
 };
 use crate::{
@@ -31,7 +32,7 @@ pub(crate) fn witness(
         let violations = waits::witness(case.instance, case.question, case.plan, case.whole);
         return Some((agent.clone(), violations));
     }
-    let own = about_agent(case);
+    let own = about_agent(case, budget);
     let all = case.conditions().filter(|_| own.is_none());
     let mut found: Option<(usize, String, Vec<Violation>)> = None;
     for condition in own.iter().chain(all) {
@@ -50,12 +51,13 @@ pub(crate) fn witness(
     found.map(|(_, agent, violations)| (agent, violations))
 }
 
-/// A condition on a cost of all, as one on the agent that it is due to.
-fn about_agent(case: &FittingQuestion) -> Option<Condition> {
+/// A condition on a cost of all, as one on the agent that it is due to: with the sum of costs the one that
+/// loses most, to arrive sooner.
+fn about_agent(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Condition> {
     let cost = match case.conditions().next()? {
         Condition::Below {
             agent: None, cost, ..
-        } => cost,
+        } => *cost,
         Condition::Below { agent: Some(_), .. }
         | Condition::Never { .. }
         | Condition::Visit { .. }
@@ -67,20 +69,20 @@ fn about_agent(case: &FittingQuestion) -> Option<Condition> {
     let own = |name: &str, cost: Cost| {
         own_costs(case.instance, name, case.plan).map_or(0, |costs| costs.get(cost))
     };
-    // The agent with the most waits is to arrive sooner.
-    let (most, less) = match cost {
-        Cost::SumOfCosts => (Cost::Waits, Cost::Makespan),
+    let (agent, less) = match cost {
+        Cost::SumOfCosts => (loss(case, budget)?.agent, Cost::Makespan),
         Cost::Makespan | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
-            (*cost, *cost)
+            // The first of those with the most.
+            let agents = case.instance.agents().iter().rev();
+            let agent = agents.max_by_key(|agent| own(&agent.name, cost))?;
+            (agent.name.clone(), cost)
         }
     };
-    // The first of those with the most.
-    let agents = case.instance.agents().iter().rev();
-    let agent = agents.max_by_key(|agent| own(&agent.name, most))?;
-    (own(&agent.name, most) > 0).then(|| Condition::Below {
-        agent: Some(agent.name.clone()),
+    let limit = own(&agent, less);
+    (limit > 0).then_some(Condition::Below {
+        agent: Some(agent),
         cost: less,
-        limit: own(&agent.name, less),
+        limit,
     })
 }
 

@@ -148,7 +148,7 @@ pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnsw
         witness: (about, &answer.witness),
         core: answer.core.as_ref(),
         alone: &answer.alone,
-        repairs: &case.whole.repairs(&answer.repairs),
+        repairs: &case.whole.repairs(&answer.repairs, case.question),
     });
 }
 
@@ -211,6 +211,7 @@ fn help_case(
         within: case.within,
         objective: case.objective(),
         asked: &asked,
+        arriving: case.question.arriving(),
         reach,
         cores: core.map_or_else(Vec::new, |core| {
             core.sets().map(<[Group]>::to_vec).collect()

@@ -20,7 +20,9 @@ mod suspects;
 use std::collections::BTreeMap;
 
 use giveway_model::{
-    Costs, Instance, Objective, Plan, check::costs, constraint::ConstraintKind,
+    Costs, Instance, Objective, Plan,
+    check::{costs, own_costs},
+    constraint::ConstraintKind,
     sorting::sort_by_key,
 };
 
@@ -61,6 +63,8 @@ pub(crate) struct Unsolved<'a> {
     pub(crate) objective: &'a Objective,
     /// Agents that are never left out.
     pub(crate) asked: &'a [usize],
+    /// The agent whose arrival is asked about.
+    pub(crate) arriving: Option<&'a str>,
     /// How far it is proved that there is none.
     pub(crate) reach: Proved,
     /// Sets of facts that exclude a plan, one at least; none where no set is known.
@@ -181,14 +185,19 @@ impl RepairSearch<'_> {
         }
         self.exhaustive &= best.proved && is_least;
         sort_by_key(&mut edits, rank);
-        self.found.push(Repair {
-            text: words::repair(&edits, is_least, &best.costs, best.proved),
+        let arriving = self.broken.arriving;
+        let arrival = arriving.and_then(|name| own_costs(instance, name, &best.plan));
+        let mut repair = Repair {
             edits,
             least: is_least,
             costs: best.costs,
+            arrival: arrival.map(|costs| self.broken.whole.time(costs.makespan)),
             proved: best.proved,
             plan: best.plan,
-        });
+            text: String::new(),
+        };
+        repair.text = words::repair(&repair, arriving);
+        self.found.push(repair);
         outcome
     }
 

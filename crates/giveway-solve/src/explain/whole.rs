@@ -219,7 +219,7 @@ impl WholePlan<'_> {
                 further.reach = further.reach.later(self.since());
             }
         }
-        answer.repairs = self.repairs(&answer.repairs);
+        answer.repairs = self.repairs(&answer.repairs, &answer.question);
         if let Some(rest) = answer.alternative.take() {
             let costs = answer.costs.map(|costs| self.costs(costs, &rest));
             let report = snapshot.check(&rest);
@@ -247,7 +247,7 @@ impl WholePlan<'_> {
     }
 
     /// Repairs as those of the whole.
-    pub(crate) fn repairs(self, repairs: &[Repair]) -> Vec<Repair> {
+    pub(crate) fn repairs(self, repairs: &[Repair], question: &Question) -> Vec<Repair> {
         let Some((snapshot, _)) = self.running else {
             return repairs.to_vec();
         };
@@ -259,14 +259,17 @@ impl WholePlan<'_> {
                 }
             }
             let costs = self.costs(repair.costs, &repair.plan);
-            Repair {
-                text: words::repair(&edits, repair.least, &costs, repair.proved),
+            let mut repair = Repair {
                 edits,
                 least: repair.least,
                 costs,
+                arrival: repair.arrival,
                 proved: repair.proved,
                 plan: snapshot.whole(&repair.plan),
-            }
+                text: String::new(),
+            };
+            repair.text = words::repair(&repair, question.arriving());
+            repair
         };
         repairs.iter().map(whole).collect()
     }

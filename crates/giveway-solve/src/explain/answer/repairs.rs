@@ -105,6 +105,10 @@ pub struct Repair {
     pub least: bool,
     /// The costs of the plan.
     pub costs: Costs,
+    /// When the agent arrives then whose arrival is asked about, in time steps of the whole plan; `None` of other
+    /// questions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arrival: Option<u32>,
     /// Whether no plan of the edited instance is better.
     #[serde(default)]
     pub proved: bool,

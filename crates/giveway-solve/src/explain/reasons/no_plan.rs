@@ -69,6 +69,7 @@ pub(crate) fn of_no_plan(
             within,
             objective: instance.objective(),
             asked: &[],
+            arriving: None,
             reach,
             cores: match &core {
                 Some(core) => core.sets().map(<[Group]>::to_vec).collect(),
@@ -93,7 +94,7 @@ fn tell_no_plan(answer: &mut ExplainAnswer, whole: WholePlan, part: Part, tell: 
         answer.reach.within().map(|time| whole.time(time)),
         &answer.witness,
         answer.core.as_ref(),
-        &whole.repairs(&answer.repairs),
+        &whole.repairs(&answer.repairs, &answer.question),
     );
     tell(answer, part);
 }

@@ -31,11 +31,11 @@ use crate::{
     tests::random,
 };
 
-fn budget() -> Rc<Budget<'static>> {
+pub(super) fn budget() -> Rc<Budget<'static>> {
     Rc::new(Budget::new(&SilentHost, Limits::default()))
 }
 
-fn solved(instance: &Instance) -> Option<(Plan, Costs)> {
+pub(super) fn solved(instance: &Instance) -> Option<(Plan, Costs)> {
     solved_within(instance, None)
 }
 

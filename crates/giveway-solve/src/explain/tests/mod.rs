@@ -13,6 +13,7 @@ mod how;
 mod late;
 mod layers;
 mod left;
+mod losses;
 mod own_plan;
 mod reach;
 mod repairs;

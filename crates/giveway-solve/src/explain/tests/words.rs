@@ -235,6 +235,7 @@ fn what_a_set_excludes_and_what_helps_is_told_at_the_end() {
             sum_of_costs: 6,
             ..giveway_model::Costs::default()
         },
+        arrival: None,
         proved: true,
         plan: plan.clone(),
         text: "Remove the obstacle at (2, 0): makespan 3, sum of costs 6.".to_owned(),

@@ -5,7 +5,7 @@ use giveway_model::{Cell, tr};
 
 use crate::explain::{Fact, FactGroupKind, FactKind};
 
-use super::joined::{in_runs, together};
+use super::joined::{in_blocks, together};
 
 /// A group of facts as a phrase: one fact as it is, several in short.
 pub(crate) fn fact_group(
@@ -19,7 +19,7 @@ pub(crate) fn fact_group(
     }
     let obstacles = || {
         let cells: Vec<Cell> = facts.iter().filter_map(|fact| fact.cell).collect();
-        in_runs(&cells)
+        in_blocks(&cells)
     };
     match (kind, aisle) {
         (FactGroupKind::Agent, _) => match agents {

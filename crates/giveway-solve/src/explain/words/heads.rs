@@ -100,7 +100,9 @@ fn perhaps_needed(core: &Core) -> &'static str {
         (groups, open) if open < groups => tr!(
             "These facts alone rule it out. The marked groups are needed for that; the others may not be."
         ),
-        _ => tr!("Some of these may not be needed."),
+        _ => tr!(
+            "These facts alone rule it out; for some of them it is open whether they are needed."
+        ),
     }
 }
 

@@ -1,5 +1,8 @@
 //! The facts of a set in one sentence: many of one kind are joined.
 
+use std::collections::BTreeSet;
+
+use giveway_model::sorting::set;
 use giveway_model::words::and;
 use giveway_model::{Cell, tr};
 
@@ -132,6 +135,38 @@ pub(super) fn in_runs(cells: &[Cell]) -> String {
         return and(&runs.iter().map(phrase).collect::<Vec<_>>());
     }
     few(&texts(&runs.concat()))
+}
+
+/// Cells by the blocks in which they lie side by side, each with its corners as `(4, 9) to (28, 10)`.
+pub(super) fn in_blocks(cells: &[Cell]) -> String {
+    let mut rest: BTreeSet<Cell> = set(cells.iter().copied());
+    let mut blocks = Vec::new();
+    while let Some(first) = rest.pop_first() {
+        let (mut from, mut to) = (first, first);
+        let mut open = vec![first];
+        while let Some(cell) = open.pop() {
+            from = Cell::new(from.x.min(cell.x), from.y.min(cell.y));
+            to = Cell::new(to.x.max(cell.x), to.y.max(cell.y));
+            let beside = [
+                (cell.x.checked_add(1), Some(cell.y)),
+                (cell.x.checked_sub(1), Some(cell.y)),
+                (Some(cell.x), cell.y.checked_add(1)),
+                (Some(cell.x), cell.y.checked_sub(1)),
+            ];
+            let beside = beside.into_iter();
+            for cell in beside.filter_map(|(x, y)| Some(Cell::new(x?, y?))) {
+                if rest.remove(&cell) {
+                    open.push(cell);
+                }
+            }
+        }
+        blocks.push(if from == to {
+            from.to_string()
+        } else {
+            tr!("cells" => "{first} to {last}", first = from, last = to)
+        });
+    }
+    few(&blocks)
 }
 
 fn texts(cells: &[Cell]) -> Vec<String> {

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::explain::{
     AgentDifference, ExplainAnswer, Here, Near, Variation, VariationKind, fitting::FittingQuestion,
-    layers::MOST_NAMED,
+    layers::MOST_NAMED, losses::Loss,
 };
 
 /// The answer in words as long as it has no verdict.
@@ -20,8 +20,11 @@ pub(crate) fn nearby(answer: &mut ExplainAnswer) {
 }
 
 /// Who comes through, and what would happen: of a wait if the robot went on, of other questions on
-/// another way from its start.
-pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
+/// another way from its start. Of a cost of all robots who arrives last, or loses most.
+pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&Loss>) -> String {
+    if let Some(loss) = loss {
+        return lost(case.question, loss);
+    }
     let agent = &here.agent;
     let passing: Vec<&String> = here.let_pass().collect();
     let violations = passing_first(here.violations.iter().collect(), Some(here));
@@ -60,6 +63,36 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here) -> String {
             others,
             what
         )
+    }
+}
+
+/// Who arrives last, or loses most, and when it would arrive alone.
+fn lost(question: &Question, loss: &Loss) -> String {
+    let Loss {
+        agent,
+        arrival,
+        alone,
+    } = loss;
+    let is_of_last = *question == Question::Makespan;
+    match (is_of_last, alone < arrival) {
+        (true, true) => tr!(
+            "{agent} arrives last, at {arrival}; alone it would arrive at {alone}.",
+            agent,
+            arrival,
+            alone
+        ),
+        (true, false) => tr!(
+            "{agent} arrives last, at {arrival}; alone it could not arrive sooner.",
+            agent,
+            arrival
+        ),
+        (false, true) => tr!(
+            "{agent} loses most: it arrives at {arrival}; alone it would arrive at {alone}.",
+            agent,
+            arrival,
+            alone
+        ),
+        (false, false) => tr!("Each robot arrives as soon as it could alone.").to_owned(),
     }
 }
 
@@ -115,7 +148,7 @@ fn later(it: &AgentDifference) -> Option<String> {
 /// The cheapest variation, and at how many places it could wait at that cost.
 pub(crate) fn near_sentence(near: &Near) -> String {
     let Some(first) = near.variations.first() else {
-        return tr!("None of the small changes that were tried makes it so.").to_owned();
+        return tr!("None of the small changes that were tried would do.").to_owned();
     };
     let is_elsewhere = |it: &&Variation| it.kind == VariationKind::Elsewhere;
     let as_cheap = near

@@ -1,32 +1,42 @@
 //! Repairs, as sentences.
 
+use giveway_model::tr;
 use giveway_model::words::{and, capital};
-use giveway_model::{Costs, tr};
 
-use crate::explain::answer::Edit;
+use crate::explain::answer::{Edit, Repair};
 
 /// A repair with what it leads to, whether less is proved not to help, and whether no plan is
-/// better then.
-pub(crate) fn repair(edits: &[Edit], is_least: bool, costs: &Costs, is_best: bool) -> String {
-    let repair = led_to(&edits_in_words(edits), costs, is_best);
-    if is_least {
-        repair + "."
+/// better then. `arriving` is the agent whose arrival is asked about.
+pub(crate) fn repair(repair: &Repair, arriving: Option<&str>) -> String {
+    let told = led_to(&edits_in_words(&repair.edits), repair, arriving);
+    if repair.least {
+        told + "."
     } else {
-        tr!("{repair}. Perhaps less would do.", repair)
+        tr!("{repair}. Perhaps less would do.", repair = told)
     }
 }
 
 /// Edits with what they lead to: `remove the obstacle at (3, 1): makespan 4, sum of costs 7`; where
 /// a better plan may exist, that is said.
-pub(super) fn led_to(edits: &str, costs: &Costs, is_best: bool) -> String {
-    let (makespan, sum) = (costs.makespan, costs.sum_of_costs);
-    let led_to = tr!(
-        "{edits}: makespan {makespan}, sum of costs {sum}",
-        edits,
-        makespan,
-        sum
-    );
-    if is_best {
+pub(super) fn led_to(edits: &str, repair: &Repair, arriving: Option<&str>) -> String {
+    let (makespan, sum) = (repair.costs.makespan, repair.costs.sum_of_costs);
+    let led_to = match (arriving, repair.arrival) {
+        (Some(name), Some(arrival)) => tr!(
+            "{edits}: {name} arrives at {arrival}, makespan {makespan}, sum of costs {sum}",
+            edits,
+            name,
+            arrival,
+            makespan,
+            sum
+        ),
+        _ => tr!(
+            "{edits}: makespan {makespan}, sum of costs {sum}",
+            edits,
+            makespan,
+            sum
+        ),
+    };
+    if repair.proved {
         led_to
     } else {
         tr!("{led_to}, or less", led_to)

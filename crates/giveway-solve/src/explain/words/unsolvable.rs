@@ -50,6 +50,6 @@ pub(crate) fn unsolvable(
             all = and(&phrases)
         ));
     }
-    sentences.extend(help(repairs));
+    sentences.extend(help(repairs, None));
     sentences.join(" ")
 }

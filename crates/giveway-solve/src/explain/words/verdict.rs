@@ -3,7 +3,7 @@
 use giveway_model::{Costs, Instance, Objective, Plan, Question, tr};
 
 use super::{
-    alone::alone,
+    alone::{alone, alone_sentence},
     contrast::contrast,
     costs::instead as in_costs,
     differences::instead,
@@ -50,7 +50,13 @@ pub(crate) fn verdict(telling: &KnownSoFar) -> String {
     let costs = |plan: &Plan| telling.whole.costs_of(telling.instance, plan);
     let before = costs(telling.plan).unwrap_or_default();
     let mut sentences = Vec::new();
-    let (agent, entries) = telling.witness;
+    let force = forcing(telling, before.makespan);
+    sentences.extend(force.map(alone_sentence));
+    // A cost that some robots force is not due to the way of one of them.
+    let (agent, entries) = match force {
+        Some(_) => ("", [].as_slice()),
+        None => telling.witness,
+    };
     let violations = entries.iter().map(|entry| &entry.violation).collect();
     let violations = passing_first(violations, telling.here);
     let goes_wrong = !violations.is_empty();
@@ -100,11 +106,22 @@ pub(crate) fn verdict(telling: &KnownSoFar) -> String {
         }
     });
     if matches!(telling.verdict, Verdict::Necessary | Verdict::Costly) {
-        sentences.extend(alone(telling.alone, telling.core.is_some()));
+        if force.is_none() {
+            sentences.extend(alone(telling.alone, telling.core.is_some()));
+        }
         sentences.extend(because(telling.core, telling.verdict));
     }
-    sentences.extend(help(telling.repairs));
+    sentences.extend(help(telling.repairs, telling.question.arriving()));
     sentences.join(" ")
+}
+
+/// The robots that alone need as many steps as the plan has, where these are asked about; nothing where
+/// they are all robots.
+fn forcing<'a>(telling: &KnownSoFar<'a>, makespan: u32) -> Option<&'a SubsetBound> {
+    let first = telling.alone.first()?;
+    let is_proved = telling.verdict == Verdict::Necessary && first.least == makespan;
+    let are_few = first.agents.len() < telling.instance.agents().len();
+    (*telling.question == Question::Makespan && is_proved && are_few).then_some(first)
 }
 
 fn in_which(does: &str) -> String {
@@ -170,7 +187,7 @@ fn costly(telling: &KnownSoFar, does: &str, now: &Costs, before: &Costs) -> Stri
 }
 
 /// The first repair; where it leaves robots out, beside the first that does not.
-pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
+pub(crate) fn help(repairs: &[Repair], arriving: Option<&str>) -> Option<String> {
     let first = repairs.first()?;
     let leaves_out = |repair: &&Repair| {
         let mut edits = repair.edits.iter();
@@ -187,6 +204,6 @@ pub(crate) fn help(repairs: &[Repair]) -> Option<String> {
     }
     Some(tr!(
         "It would help to {do_so}.",
-        do_so = led_to(&phrase(&first.edits), &first.costs, first.proved)
+        do_so = led_to(&phrase(&first.edits), first, arriving)
     ))
 }

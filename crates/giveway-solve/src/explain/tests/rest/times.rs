@@ -44,7 +44,7 @@ fn arrivals_and_facts_are_those_of_the_whole() {
     assert!(matches!(repair.edits[..], [Edit::RemoveObstacle { .. }]));
     assert_eq!(
         repair.text,
-        "Remove the obstacle at (4, 1): makespan 5, sum of costs 6."
+        "Remove the obstacle at (4, 1): a arrives at 5, makespan 5, sum of costs 6."
     );
     assert_eq!((repair.costs.makespan, repair.costs.moves), (5, 6));
     assert_eq!(repair.plan.path("a").len(), 6);
