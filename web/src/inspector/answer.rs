@@ -10,6 +10,7 @@ use yew::prelude::*;
 use super::coming::{place, progress, verdict_place, ways};
 use super::groups;
 use super::pays::{it_could, nobody_yet, verdict_card, who_pays};
+use super::tight::how_tight;
 use crate::icon;
 use crate::turning::turning;
 
@@ -39,6 +40,7 @@ pub(super) fn show(card: &Card, send: &Callback<Action>) -> Html {
                 if let Some(verdict) = &card.verdict { { verdict_card(verdict, send) } }
             </div>
             if held.verdict { { verdict_place() } }
+            if let Some(tight) = &card.tight { { how_tight(tight, send) } }
             // Without a plan to show, what would help is the next step.
             if card.other.is_none() && !card.repairs.is_empty() {
                 { repairs(card, true, send) }
@@ -205,8 +207,7 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 
 /// What is told in the place of a part that was not found.
 fn missing(missing: &Missing) -> Html {
-    let sentence = |sentence: &String| html! { <p class="remark">{ sentence.clone() }</p> };
-    html! { <section><h3>{ missing.title }</h3>{ for missing.sentences.iter().map(sentence) }</section> }
+    html! { <section><h3>{ missing.title }</h3><p class="remark">{ missing.sentence }</p></section> }
 }
 
 /// Lights up, and shows the time of what has one.
@@ -242,7 +243,7 @@ fn core(facts: &Facts, send: &Callback<Action>) -> Html {
     };
     html! {
         <section>
-            <h3>{ facts.title }</h3>
+            <h3>{ facts.title }if let Some(summary) = &facts.summary { { " " }<small>{ summary.clone() }</small> }</h3>
             if facts.groups.is_empty() {
                 <ul class="reasons tight">{ for facts.facts.iter().map(one) }</ul>
             } else {

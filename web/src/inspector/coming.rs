@@ -58,7 +58,12 @@ fn Progress(props: &ProgressProps) -> Html {
     html! {
         <div class="coming">
             <ol aria-label={tr!("How far the answer is")}>{ for layers.iter().map(bar) }</ol>
-            <p><b>{ *doing }</b>{ " " }<span aria-hidden="true">{ tr!("{seconds} s", seconds = decimal(*seconds, 1)) }</span></p>
+            <p>
+                <b>{ *doing }</b>
+                if *is_looking || *seconds > 0.0 {
+                    { " " }<span aria-hidden="true">{ tr!("{seconds} s", seconds = decimal(*seconds, 1)) }</span>
+                }
+            </p>
         </div>
     }
 }

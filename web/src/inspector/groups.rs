@@ -17,12 +17,13 @@ pub(super) fn show(facts: &Facts, send: &Callback<Action>) -> Html {
 fn one(group: &GroupRow, facts: &[FactRow], send: &Callback<Action>) -> Html {
     let index = group.index;
     let (class, mark) = match group.mark {
-        GroupMark::Helps => ("helps", tr!("a mark of a group of facts" => "helps")),
-        GroupMark::Needed => ("needed", tr!("a mark of a group of facts" => "needed")),
-        GroupMark::Open => (
-            "open",
-            tr!("a mark of a group of facts" => "perhaps needed"),
+        GroupMark::Helps => ("helps", Some(tr!("a mark of a group of facts" => "helps"))),
+        GroupMark::Needed => (
+            "needed",
+            Some(tr!("a mark of a group of facts" => "needed")),
         ),
+        // The sentence below the groups says so of all of them.
+        GroupMark::Open => ("open", None),
     };
     let fact = |&fact: &usize| {
         let fact = facts.get(fact)?;
@@ -34,7 +35,7 @@ fn one(group: &GroupRow, facts: &[FactRow], send: &Callback<Action>) -> Html {
                 onclick={send.reform(move |_| Action::Ask(AskAction::Group(index)))}>
                 <span class={classes!("gno", class)}>{ group.number }</span>
                 <span>{ group.title.clone() }if let Some(price) = &group.price { <small>{ price.clone() }</small> }</span>
-                <em class={class}>{ mark }</em>
+                if let Some(mark) = mark { <em class={class}>{ mark }</em> }
             </button>
             { for group.facts.iter().filter_map(|&fact| loosens(facts.get(fact)?, send)).take(1) }
             if group.is_open { <ul>{ for group.facts.iter().filter_map(fact) }</ul> }

@@ -29,6 +29,7 @@ mod rules;
 mod sizing;
 mod slot_editor;
 mod steer;
+mod tight;
 mod units;
 mod whole;
 

@@ -41,7 +41,7 @@ pub(super) fn verdict_card(verdict: &VerdictPart, send: &Callback<Action>) -> Ht
 }
 
 /// A piece of a sentence: a robot lights up, a cell is gone to.
-fn piece(piece: &Piece, send: &Callback<Action>) -> Html {
+pub(super) fn piece(piece: &Piece, send: &Callback<Action>) -> Html {
     match piece {
         Piece::Text(text) => html! { <>{ text.clone() }</> },
         Piece::Robot(agent, name) => {

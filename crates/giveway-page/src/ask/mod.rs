@@ -16,8 +16,8 @@ pub(crate) use signs::other_causes;
 
 pub use card::{
     Badge, Card, Coming, CostRow, CouldRow, FactRow, Facts, GroupMark, GroupRow, Happening, Held,
-    LayerStep, Missing, Offered, Other, Piece, Reached, VerdictPart, WhoPays, card, closeness,
-    offers_next_step,
+    LayerStep, Missing, Offered, Other, Piece, Reached, Tight, TightRow, VerdictPart, WhoPays,
+    card, closeness, offers_next_step,
 };
 pub(crate) use card::{instead, layers, numbers_facts, numbers_groups, other_name};
 use giveway_model::{Cost, Question, question::fits, tr};

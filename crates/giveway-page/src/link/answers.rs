@@ -7,7 +7,7 @@ use super::message;
 
 /// To be raised when the form of an answer changes. An answer of another form is left out:
 /// it can be asked for again, and the document beside it is opened.
-const FORM: &str = "4.";
+const FORM: &str = "5.";
 
 /// An answer in letters.
 pub(super) fn write<T: BorshSerialize>(answer: &T) -> String {

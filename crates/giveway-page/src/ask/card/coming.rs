@@ -184,7 +184,8 @@ pub(super) fn coming(state: &State, asking: &Asking, card: &Card) -> Option<Comi
     })
 }
 
-/// How far a layer has come: parts are pending in the order in which they are looked for.
+/// How far a layer has come: parts are pending in the order in which they are looked for. What a search that
+/// is over did not find is not done.
 fn reached(
     told: Option<&ExplainAnswer>,
     layers: &[Layer],
@@ -198,8 +199,11 @@ fn reached(
     let is_pending = |part: Part| told.is_none_or(|told| told.pending.contains(&part));
     let parts = PARTS.into_iter().filter(|&part| layer_of(part) == layer);
     let (pending, done): (Vec<Part>, Vec<Part>) = parts.partition(|&part| is_pending(part));
-    match pending.len() {
-        0 => Reached::Done,
+    match (pending.len(), layer) {
+        (0, Layer::Here | Layer::Near) => Reached::Done,
+        (0, Layer::Whole) if told.is_some_and(is_open) => Reached::Partly,
+        (0, Layer::Reason | Layer::Help) if told.is_some_and(is_open) => Reached::Ahead,
+        (0, Layer::Whole | Layer::Reason | Layer::Help) => Reached::Done,
         _ if is_looking && now == Some(layer) => Reached::Now,
         _ if !done.is_empty() => Reached::Partly,
         _ => Reached::Ahead,

@@ -1,6 +1,7 @@
 //! What both plans cost: this one and the other one.
 
 use giveway_model::{Cost, Costs, tr};
+use giveway_solve::explain::Repair;
 
 use crate::{Asking, words};
 
@@ -17,9 +18,25 @@ pub struct CostRow {
     pub other: u32,
 }
 
+/// What a repair saves or costs more: in the arrival that is asked about, else in the first cost of the
+/// objective that differs.
+pub(super) fn of_repair(asking: &Asking, repair: &Repair) -> Option<(String, bool)> {
+    let arriving = asking.question().arriving().zip(repair.arrival);
+    let before = arriving.and_then(|(name, arrival)| {
+        let agents = asking.about.agents();
+        let agent = agents.iter().position(|agent| agent.name == name)?;
+        let before = *asking.about.arrivals.get(agent)?;
+        Some(i64::from(arrival) - i64::from(before?))
+    });
+    match before {
+        Some(delta) => Some((words::by(Cost::Makespan, delta), delta < 0)),
+        None => first_difference(asking, &repair.costs),
+    }
+}
+
 /// By how much a plan differs from the one that is asked about, in the first cost of the objective
 /// in which it does: with the unit, and whether it is less. Nothing where there is no plan.
-pub(super) fn first_difference(asking: &Asking, other: &Costs) -> Option<(String, bool)> {
+fn first_difference(asking: &Asking, other: &Costs) -> Option<(String, bool)> {
     let before = asking.about.solved.costs?;
     let delta = |cost: Cost| i64::from(other.get(cost)) - i64::from(before.get(cost));
     let costs = asking.objective().costs();

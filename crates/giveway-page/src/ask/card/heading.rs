@@ -30,6 +30,13 @@ pub(super) fn heading(told: &ExplainAnswer) -> String {
             tr!("Another plan that costs the same does without it").to_owned()
         }
         (_, Verdict::Costly) => tr!("It would cost more").to_owned(),
+        (Question::Makespan, Verdict::Necessary) => {
+            tr!("They cannot all be done sooner").to_owned()
+        }
+        (Question::SumOfCosts, Verdict::Necessary) => tr!("The sum cannot be less").to_owned(),
+        (Question::Arrival { agent }, Verdict::Necessary) => {
+            tr!("{agent} cannot arrive sooner", agent)
+        }
         (_, Verdict::Necessary) => tr!("There is no other way").to_owned(),
         (_, Verdict::Unknown) if is_coming(told) => {
             tr!("Not decided yet: this is what the plan shows").to_owned()

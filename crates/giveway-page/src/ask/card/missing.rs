@@ -1,22 +1,19 @@
 //! What is told in the place of reasons, or of what would help, where a search ended without them.
 
 use giveway_model::tr;
-use giveway_solve::explain::{ExplainAnswer, Layer, Part, Verdict, alone_sentence};
+use giveway_solve::explain::{ExplainAnswer, Layer, Part, Verdict};
 
 use super::Card;
 use super::coming::layers;
 use crate::{Asking, State};
-
-/// At most so many sets of robots are told with what they alone need.
-const MOST_SETS: usize = 2;
 
 /// A part of an answer that was not found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Missing {
     /// The heading of the part.
     pub title: &'static str,
-    /// Why it is not there, and what is known instead: a sentence each.
-    pub sentences: Vec<String>,
+    /// Why it is not there.
+    pub sentence: &'static str,
 }
 
 /// The parts that are not there though the search is over, in the order of the card.
@@ -32,10 +29,10 @@ pub(super) fn missing(
     }
     let mut missing = Vec::new();
     if card.cores.is_empty()
-        && let Some(sentences) = no_reason(told)
+        && let Some(sentence) = no_reason(told)
     {
         let title = tr!("Because of");
-        missing.push(Missing { title, sentences });
+        missing.push(Missing { title, sentence });
     }
     let can_help = has(Layer::Help) && asking.can_be_repaired() && card.repairs.is_empty();
     if can_help && matches!(told.verdict, Verdict::Costly | Verdict::Necessary) {
@@ -47,24 +44,18 @@ pub(super) fn missing(
         } else {
             tr!("Nothing was found that helps.")
         };
-        let sentences = vec![sentence.to_owned()];
-        missing.push(Missing { title, sentences });
+        missing.push(Missing { title, sentence });
     }
     missing
 }
 
-/// Why there is no reason, and what sets of robots alone need; `None` where none is needed.
-fn no_reason(told: &ExplainAnswer) -> Option<Vec<String>> {
+/// Why there is no reason; `None` where none is needed.
+fn no_reason(told: &ExplainAnswer) -> Option<&'static str> {
     match told.verdict {
         Verdict::Needless | Verdict::Improvable => None,
-        Verdict::Unknown => Some(vec![
-            tr!("Reasons are looked for once it is known what the best other plan costs.")
-                .to_owned(),
-        ]),
-        Verdict::Costly | Verdict::Necessary => {
-            let none = tr!("No small reason was found yet.").to_owned();
-            let alone = told.alone.iter().take(MOST_SETS).map(alone_sentence);
-            Some(std::iter::once(none).chain(alone).collect())
-        }
+        Verdict::Unknown => Some(tr!(
+            "Reasons are looked for once it is known what the best other plan costs."
+        )),
+        Verdict::Costly | Verdict::Necessary => Some(tr!("No small reason was found yet.")),
     }
 }

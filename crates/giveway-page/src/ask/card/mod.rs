@@ -11,13 +11,14 @@ mod missing;
 mod parts;
 mod pays;
 mod pieces;
+mod tight;
 mod title;
 mod verdict;
 
 use std::collections::BTreeSet;
 
 use giveway_model::words::and;
-use giveway_model::{Objective, Question, tr};
+use giveway_model::{Question, tr};
 use giveway_solve::explain::{
     Core, ExplainAnswer, Fact, Layer, Repair, edits_in_words, facts_claim, facts_title, helps_mark,
     witness_title,
@@ -37,6 +38,7 @@ pub use groups::{GroupMark, GroupRow};
 pub use missing::Missing;
 pub use parts::{Badge, Card, FactRow, Facts, Happening, Offered, Other, VerdictPart, WhoPays};
 pub use pieces::Piece;
+pub use tight::{Tight, TightRow};
 
 use coming::coming;
 use could::could;
@@ -62,6 +64,7 @@ pub fn card(state: &State) -> Option<Card> {
         other: None,
         differences: beside::rows(state),
         more_differences: beside::more_rows(state),
+        tight: None,
         witness: Vec::new(),
         cores: Vec::new(),
         repairs: Vec::new(),
@@ -87,7 +90,7 @@ pub fn card(state: &State) -> Option<Card> {
     }
     card.witness = witness(asking);
     card.cores = facts(state, asking, told);
-    let objective = asking.objective();
+    card.tight = tight::tight(asking, told, !card.cores.is_empty());
     let repairs = told.repairs.iter();
     card.repairs = repairs
         .filter(|_| asking.can_be_repaired())
@@ -101,8 +104,8 @@ pub fn card(state: &State) -> Option<Card> {
                 let repair = words::unnested(&edits_in_words(&repair.edits));
                 tr!("{repair}. Perhaps less would do.", repair)
             },
-            costs: costs_of(repair, objective),
-            difference: costs::first_difference(asking, &repair.costs),
+            costs: costs_of(repair, asking),
+            difference: costs::of_repair(asking, repair),
         })
         .collect();
     card.more_repairs = (told.further_repairs > 0 && !card.repairs.is_empty()).then(|| {
@@ -143,7 +146,13 @@ fn facts(state: &State, asking: &Asking, told: &ExplainAnswer) -> Vec<Facts> {
     let mut index = 0..;
     let sets = told.core.iter().flat_map(Core::sets).enumerate();
     sets.map(|(set, core)| Facts {
-        title: facts_title(told.verdict, core, set > 0),
+        title: if set == 0 && !core.groups.is_empty() {
+            tr!("Because of")
+        } else {
+            facts_title(told.verdict, core, set > 0)
+        },
+        summary: (set == 0 && !core.groups.is_empty())
+            .then(|| tr!("in {n} group" | "in {n} groups" % core.groups.len() as u32)),
         claim: claim(told, core, set),
         groups: if set == 0 {
             groups::groups(asking, core)
@@ -208,9 +217,16 @@ fn about_others(told: &ExplainAnswer, core: &Core) -> Option<String> {
     })
 }
 
-/// What a repair leads to, in the order of an objective.
-fn costs_of(repair: &Repair, objective: &Objective) -> String {
-    let costs = words::values(objective, &repair.costs);
+/// What a repair leads to, in the order of the objective; when the robot arrives that is asked about comes
+/// first.
+fn costs_of(repair: &Repair, asking: &Asking) -> String {
+    let costs = words::values(asking.objective(), &repair.costs);
+    let costs = match (asking.question().arriving(), repair.arrival) {
+        (Some(name), Some(arrival)) => {
+            tr!("{name} arrives at {arrival}; {costs}", name, arrival, costs)
+        }
+        _ => costs,
+    };
     if repair.proved {
         costs
     } else {

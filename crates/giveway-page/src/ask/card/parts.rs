@@ -6,6 +6,7 @@ use super::could::CouldRow;
 use super::groups::GroupRow;
 use super::missing::Missing;
 use super::pieces::Piece;
+use super::tight::Tight;
 use crate::beside::DifferenceRow;
 
 /// What is said, part by part, as far as it is known.
@@ -27,6 +28,8 @@ pub struct Card {
     pub differences: Vec<DifferenceRow>,
     /// How many more differences there are, in words.
     pub more_differences: Option<String>,
+    /// What sets of robots alone need.
+    pub tight: Option<Tight>,
     /// What would go wrong, under its headings.
     pub witness: Vec<(String, Vec<Happening>)>,
     /// What together makes it impossible.
@@ -121,6 +124,8 @@ pub struct Happening {
 pub struct Facts {
     /// The heading.
     pub title: &'static str,
+    /// In how many groups, in words; nothing where there are few facts.
+    pub summary: Option<String>,
     /// What is claimed of it.
     pub claim: String,
     /// Its groups, the deciding one first; none where there are few facts.

@@ -3,6 +3,7 @@
 use giveway_model::{Cost, Question, tr};
 use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict, other_charges};
 
+use super::tight::{forcing, forcing_title};
 use super::verdict::is_of_a_whole;
 use crate::{Asking, words};
 
@@ -43,7 +44,7 @@ pub(super) fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
         Verdict::Necessary if matches!(told.question, Question::Rule { .. }) => {
             Some(tr!("It cannot be so").to_owned())
         }
-        Verdict::Necessary => None,
+        Verdict::Necessary => forcing(asking, told).map(forcing_title),
         // The other plan is the best one that was found: another may cost less.
         Verdict::Unknown => at_most(asking, told),
     }

@@ -8,6 +8,7 @@ use super::heading::heading;
 use super::late::{late, who_is_late};
 use super::parts::VerdictPart;
 use super::pieces::pieces;
+use super::tight::{forcing, forcing_sentence};
 use super::title::{first_difference, title};
 use crate::ask::signs::{badge, verdict_words};
 use crate::{Asking, State, words};
@@ -24,9 +25,12 @@ pub(super) fn verdict(state: &State, asking: &Asking, told: &ExplainAnswer) -> O
         badge.word = "";
     }
     let title = title(asking, told);
-    if told.verdict == Verdict::Needless && title.is_some() {
-        // The title says what could be instead: "needless" beside it reads as if nothing had been
-        // the reason.
+    let says_it = match told.verdict {
+        // "Needless" beside what could be instead reads as if nothing had been the reason.
+        Verdict::Needless | Verdict::Necessary | Verdict::Unknown => title.is_some(),
+        Verdict::Costly | Verdict::Improvable => false,
+    };
+    if says_it {
         badge.word = "";
     }
     let title = title.unwrap_or_else(|| heading(told));
@@ -143,6 +147,9 @@ fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
             saved(asking, told).or_else(|| who_is_late(told, clause.as_ref()))
         }
         Verdict::Necessary => {
+            if let Some(bound) = forcing(asking, told) {
+                return Some(forcing_sentence(asking, bound));
+            }
             let does = clause?.does;
             Some(match told.reach.within() {
                 None => tr!("There is no plan in which {does}.", does),

@@ -4,7 +4,7 @@
 use giveway_model::Question;
 use giveway_solve::Status;
 use giveway_solve::explain::{
-    Core, ExplainAnswer, Fact, FactGroup, FactGroupKind, FactKind, Helps, Part,
+    Core, ExplainAnswer, Fact, FactGroup, FactGroupKind, FactKind, Helps, Part, Verdict,
 };
 
 use super::names::with_choice;
@@ -154,4 +154,18 @@ fn the_steps_say_what_is_at_work() {
             "Looking for a plan closer to this one"
         )
     );
+}
+
+#[test]
+fn what_a_search_that_is_over_did_not_find_is_not_done() {
+    let state = asked();
+    let answer = ExplainAnswer {
+        verdict: Verdict::Unknown,
+        pending: Vec::new(),
+        ..told(&state)
+    };
+    let coming = card(&respond(&state, answer)).unwrap().coming.unwrap();
+    let steps: Vec<_> = coming.layers.iter().map(|it| it.reached).collect();
+    assert_eq!(steps, [Done, Done, Partly, Ahead, Ahead]);
+    assert_eq!(coming.doing, "The time limit was reached");
 }

@@ -1,45 +1,29 @@
 //! Parts of an answer that were not found: it is said, and not left out.
 
-use giveway_model::Cost;
-use giveway_solve::explain::{Part, SubsetBound, Verdict};
+use giveway_solve::explain::{Part, Verdict};
 
 use super::pays::card_of;
 use super::{asked, hear, told};
 use crate::ask::card;
 
 /// The titles with their sentences.
-fn missing(card: &crate::ask::Card) -> Vec<(&'static str, Vec<&str>)> {
+fn missing(card: &crate::ask::Card) -> Vec<(&'static str, &'static str)> {
     let parts = card.missing.iter();
-    parts
-        .map(|part| {
-            let sentences = part.sentences.iter().map(String::as_str);
-            (part.title, sentences.collect())
-        })
-        .collect()
+    parts.map(|part| (part.title, part.sentence)).collect()
 }
 
 #[test]
-fn without_a_small_reason_it_is_told_what_robots_alone_need() {
+fn without_a_small_reason_that_is_said() {
     let card = card_of(|answer| {
         answer.verdict = Verdict::Costly;
         (answer.core, answer.repairs) = (None, Vec::new());
         answer.exhaustive = false;
-        answer.alone = vec![SubsetBound {
-            agents: vec!["A2".to_owned()],
-            cost: Cost::Makespan,
-            own: 17,
-            least: 17,
-            here: 18,
-        }];
     });
     assert_eq!(
         missing(&card),
         [
-            (
-                "Because of",
-                vec!["No small reason was found yet.", "A2 alone needs 17 steps."]
-            ),
-            ("What would help", vec!["Nothing was found that helps."])
+            ("Because of", "No small reason was found yet."),
+            ("What would help", "Nothing was found that helps.")
         ]
     );
 }
@@ -54,7 +38,7 @@ fn it_is_told_whether_all_was_tried() {
         });
         let of_help = missing(&card).into_iter();
         let mut of_help = of_help.filter(|(title, _)| *title == "What would help");
-        of_help.next().unwrap().1[0].to_owned()
+        of_help.next().unwrap().1
     };
     assert_eq!(
         told_of(true, Vec::new()),

@@ -6,6 +6,7 @@ mod names;
 mod nearby;
 mod pays;
 mod taken;
+mod tight;
 mod told;
 
 use std::collections::BTreeMap;
@@ -63,6 +64,7 @@ fn told(state: &State) -> ExplainAnswer {
         }],
         least: true,
         costs,
+        arrival: None,
         proved: true,
         plan: plan.clone(),
         text: "Drop A1's waypoint (4, 2)".to_owned(),
