@@ -207,7 +207,8 @@ fn witness(title: &str, happenings: &[Happening], send: &Callback<Action>) -> Ht
 
 /// What is told in the place of a part that was not found.
 fn missing(missing: &Missing) -> Html {
-    html! { <section><h3>{ missing.title }</h3><p class="remark">{ missing.sentence }</p></section> }
+    let sentence = |sentence: &String| html! { <p class="remark">{ sentence.clone() }</p> };
+    html! { <section><h3>{ missing.title }</h3>{ for missing.sentences.iter().map(sentence) }</section> }
 }
 
 /// Lights up, and shows the time of what has one.

@@ -12,8 +12,8 @@ use crate::{Asking, State};
 pub struct Missing {
     /// The heading of the part.
     pub title: &'static str,
-    /// Why it is not there.
-    pub sentence: &'static str,
+    /// Why it is not there: a sentence each.
+    pub sentences: Vec<String>,
 }
 
 /// The parts that are not there though the search is over, in the order of the card.
@@ -32,7 +32,8 @@ pub(super) fn missing(
         && let Some(sentence) = no_reason(told)
     {
         let title = tr!("Because of");
-        missing.push(Missing { title, sentence });
+        let sentences = vec![sentence.to_owned()];
+        missing.push(Missing { title, sentences });
     }
     let can_help = has(Layer::Help) && asking.can_be_repaired() && card.repairs.is_empty();
     if can_help && matches!(told.verdict, Verdict::Costly | Verdict::Necessary) {
@@ -44,7 +45,8 @@ pub(super) fn missing(
         } else {
             tr!("Nothing was found that helps.")
         };
-        missing.push(Missing { title, sentence });
+        let sentences = vec![sentence.to_owned()];
+        missing.push(Missing { title, sentences });
     }
     missing
 }
