@@ -200,10 +200,9 @@ fn reached(
     let parts = PARTS.into_iter().filter(|&part| layer_of(part) == layer);
     let (pending, done): (Vec<Part>, Vec<Part>) = parts.partition(|&part| is_pending(part));
     match (pending.len(), layer) {
-        (0, Layer::Here | Layer::Near) => Reached::Done,
         (0, Layer::Whole) if told.is_some_and(is_open) => Reached::Partly,
         (0, Layer::Reason | Layer::Help) if told.is_some_and(is_open) => Reached::Ahead,
-        (0, Layer::Whole | Layer::Reason | Layer::Help) => Reached::Done,
+        (0, _) => Reached::Done,
         _ if is_looking && now == Some(layer) => Reached::Now,
         _ if !done.is_empty() => Reached::Partly,
         _ => Reached::Ahead,
