@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::sorting::set;
+use giveway_model::sorting::{set, sort};
 use giveway_model::words::and;
 use giveway_model::{Cell, tr};
 
@@ -137,14 +137,16 @@ pub(super) fn in_runs(cells: &[Cell]) -> String {
     few(&texts(&runs.concat()))
 }
 
-/// Cells by the blocks in which they lie side by side, each with its corners as `(4, 9) to (28, 10)`.
+/// Cells by the blocks in which they lie side by side: full ones with their corners as `(4, 9) to (28, 10)`,
+/// others in rows or columns.
 pub(super) fn in_blocks(cells: &[Cell]) -> String {
     let mut rest: BTreeSet<Cell> = set(cells.iter().copied());
     let mut blocks = Vec::new();
     while let Some(first) = rest.pop_first() {
         let (mut from, mut to) = (first, first);
-        let mut open = vec![first];
+        let (mut open, mut block) = (vec![first], Vec::new());
         while let Some(cell) = open.pop() {
+            block.push(cell);
             from = Cell::new(from.x.min(cell.x), from.y.min(cell.y));
             to = Cell::new(to.x.max(cell.x), to.y.max(cell.y));
             let beside = [
@@ -160,7 +162,11 @@ pub(super) fn in_blocks(cells: &[Cell]) -> String {
                 }
             }
         }
-        blocks.push(if from == to {
+        let sides = (u64::from(to.x - from.x) + 1, u64::from(to.y - from.y) + 1);
+        blocks.push(if block.len() as u64 != sides.0 * sides.1 {
+            sort(&mut block);
+            in_runs(&block)
+        } else if from == to {
             from.to_string()
         } else {
             tr!("cells" => "{first} to {last}", first = from, last = to)
