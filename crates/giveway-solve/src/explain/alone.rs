@@ -4,10 +4,12 @@ mod needs;
 mod tight;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::Cost;
+use giveway_model::{Cost, Question};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use tight::{forcing_bound, subset_bounds};
+
+use super::Verdict;
 
 /// What some agents alone need: with only these in the scene, no plan costs less. So the plans of
 /// all agents cost no less, either. After a change all three costs are of the whole plan, with what
@@ -31,5 +33,19 @@ impl SubsetBound {
     /// What they need beyond what each needs alone.
     pub const fn lost(&self) -> u32 {
         self.least.saturating_sub(self.own)
+    }
+
+    /// The first of `bounds` if its agents, fewer than all `count`, alone force the makespan of the
+    /// plan, where that is what is asked about and proved.
+    pub fn forcing<'a>(
+        bounds: &'a [SubsetBound],
+        question: &Question,
+        verdict: Verdict,
+        makespan: u32,
+        count: usize,
+    ) -> Option<&'a SubsetBound> {
+        let first = bounds.first()?;
+        let is_asked = *question == Question::Makespan && verdict == Verdict::Necessary;
+        (is_asked && first.least == makespan && first.agents.len() < count).then_some(first)
     }
 }

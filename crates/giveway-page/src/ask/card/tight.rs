@@ -109,11 +109,15 @@ const fn is_of_all(question: &Question) -> bool {
 
 /// Some of the robots that alone need as many steps as the plan has, where these are asked about.
 pub(super) fn forcing<'a>(asking: &Asking, told: &'a ExplainAnswer) -> Option<&'a SubsetBound> {
-    let first = told.alone.first()?;
-    let of_all = asking.about.solved.costs?.makespan;
-    let is_asked = *asking.question() == Question::Makespan && told.verdict == Verdict::Necessary;
-    let are_few = first.agents.len() < asking.about.agents().len();
-    (is_asked && are_few && first.least == of_all).then_some(first)
+    let makespan = asking.about.solved.costs?.makespan;
+    let count = asking.about.agents().len();
+    SubsetBound::forcing(
+        &told.alone,
+        asking.question(),
+        told.verdict,
+        makespan,
+        count,
+    )
 }
 
 /// `3 robots need 86`.

@@ -100,9 +100,7 @@ fn perhaps_needed(core: &Core) -> &'static str {
         (groups, open) if open < groups => tr!(
             "These facts alone rule it out. The marked groups are needed for that; the others may not be."
         ),
-        _ => tr!(
-            "These facts alone rule it out; for some of them it is open whether they are needed."
-        ),
+        _ => tr!("These facts alone rule it out; some of them may not be needed."),
     }
 }
 

@@ -189,3 +189,27 @@ fn runs(cells: &[Cell], place: impl Fn(&Cell) -> (u32, u32)) -> Vec<Vec<Cell>> {
     };
     cells.chunk_by(follows).map(<[Cell]>::to_vec).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(cells: &[(u32, u32)]) -> String {
+        let cells: Vec<Cell> = cells.iter().map(|&(x, y)| Cell::new(x, y)).collect();
+        in_blocks(&cells)
+    }
+
+    #[test]
+    fn only_full_blocks_have_corners() {
+        assert_eq!(told(&[(2, 3), (1, 3), (1, 2), (2, 2)]), "(1, 2) to (2, 3)");
+        assert_eq!(told(&[(4, 4), (1, 0)]), "(1, 0) and (4, 4)");
+        // An L: its corners would take in (2, 0).
+        assert_eq!(
+            told(&[(1, 0), (1, 1), (2, 1)]),
+            "(1, 0) and (1, 1) and (2, 1)"
+        );
+        // A frame around a cell that is free.
+        let frame: Vec<(u32, u32)> = (0..9).filter(|&i| i != 4).map(|i| (i % 3, i / 3)).collect();
+        assert!(!told(&frame).contains("(0, 0) to (2, 2)"));
+    }
+}

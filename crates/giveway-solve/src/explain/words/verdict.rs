@@ -118,10 +118,14 @@ pub(crate) fn verdict(telling: &KnownSoFar) -> String {
 /// The robots that alone need as many steps as the plan has, where these are asked about; nothing where
 /// they are all robots.
 fn forcing<'a>(telling: &KnownSoFar<'a>, makespan: u32) -> Option<&'a SubsetBound> {
-    let first = telling.alone.first()?;
-    let is_proved = telling.verdict == Verdict::Necessary && first.least == makespan;
-    let are_few = first.agents.len() < telling.instance.agents().len();
-    (*telling.question == Question::Makespan && is_proved && are_few).then_some(first)
+    let count = telling.instance.agents().len();
+    SubsetBound::forcing(
+        telling.alone,
+        telling.question,
+        telling.verdict,
+        makespan,
+        count,
+    )
 }
 
 fn in_which(does: &str) -> String {
