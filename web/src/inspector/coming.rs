@@ -59,7 +59,7 @@ fn Progress(props: &ProgressProps) -> Html {
         <div class="coming">
             <ol aria-label={tr!("How far the answer is")}>{ for layers.iter().map(bar) }</ol>
             <p>
-                <b>{ *doing }</b>
+                <b>{ doing.clone() }</b>
                 if *is_looking || *seconds > 0.0 {
                     { " " }<span aria-hidden="true">{ tr!("{seconds} s", seconds = decimal(*seconds, 1)) }</span>
                 }

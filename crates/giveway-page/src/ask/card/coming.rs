@@ -1,7 +1,7 @@
 //! How far an answer has come: its layers in order, what is done now, and the places that are held
 //! for what is still to come.
 
-use giveway_model::{Question, tr};
+use giveway_model::{Question, tr, words::decimal};
 use giveway_solve::explain::{ExplainAnswer, Layer, Part, Verdict};
 
 use super::Card;
@@ -30,7 +30,7 @@ pub struct Coming {
     /// Whether more is looked for.
     pub is_looking: bool,
     /// What is looked for now, or that the search ended.
-    pub doing: &'static str,
+    pub doing: String,
     /// The places held for what is to come.
     pub held: Held,
 }
@@ -167,10 +167,12 @@ pub(super) fn coming(state: &State, asking: &Asking, card: &Card) -> Option<Comi
         reached: reached(told, &layers, layer, is_looking),
     });
     let doing = match next {
-        _ if !is_looking && next.is_some() => tr!("the search for an answer was" => "Stopped"),
-        _ if !is_looking => tr!("The time limit was reached"),
-        Some(Some(part)) => pending(part),
-        Some(None) | None => tr!("Looking at the plan"),
+        _ if !is_looking && next.is_some() => {
+            tr!("the search for an answer was" => "Stopped").to_owned()
+        }
+        _ if !is_looking => reached_limit(asking),
+        Some(Some(part)) => pending(part).to_owned(),
+        Some(None) | None => tr!("Looking at the plan").to_owned(),
     };
     Some(Coming {
         layers: steps.collect(),
@@ -182,6 +184,17 @@ pub(super) fn coming(state: &State, asking: &Asking, card: &Card) -> Option<Comi
             Held::default()
         },
     })
+}
+
+/// That the time limit was reached, with the seconds of the settings.
+fn reached_limit(asking: &Asking) -> String {
+    match asking.request.limits.seconds {
+        Some(seconds) => tr!(
+            "The time limit of {seconds} s was reached",
+            seconds = decimal(seconds, 0)
+        ),
+        None => tr!("The time limit was reached").to_owned(),
+    }
 }
 
 /// How far a layer has come: parts are pending in the order in which they are looked for. What a search that

@@ -137,21 +137,21 @@ fn the_steps_say_what_is_at_work() {
         reached(&[witness, core, repairs, closest]),
         (
             vec![Done, Done, Partly, Now, Ahead],
-            "Looking for what would happen"
+            "Looking for what would happen".to_owned()
         )
     );
     assert_eq!(
         reached(&[repairs, closest]),
         (
             vec![Done, Done, Partly, Done, Now],
-            "Looking for what would help"
+            "Looking for what would help".to_owned()
         )
     );
     assert_eq!(
         reached(&[closest]),
         (
             vec![Done, Done, Now, Done, Done],
-            "Looking for a plan closer to this one"
+            "Looking for a plan closer to this one".to_owned()
         )
     );
 }
@@ -167,5 +167,5 @@ fn what_a_search_that_is_over_did_not_find_is_not_done() {
     let coming = card(&respond(&state, answer)).unwrap().coming.unwrap();
     let steps: Vec<_> = coming.layers.iter().map(|it| it.reached).collect();
     assert_eq!(steps, [Done, Done, Partly, Ahead, Ahead]);
-    assert_eq!(coming.doing, "The time limit was reached");
+    assert_eq!(coming.doing, "The time limit of 30 s was reached");
 }
