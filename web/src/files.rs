@@ -4,13 +4,14 @@ use std::rc::Rc;
 
 use giveway_model::{tr, tr_data};
 use giveway_page::files::{
-    Opened, Reading, Saved, picture_name, read_beside, robots_file, sizing_file, too_large,
+    Opened, Reading, Saved, are_hand_ins, picture_name, read_beside, robots_file, sizing_file, too_large,
 };
 use giveway_page::floor_plan::brought;
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};
 use gloo::file::{Blob, File, ObjectUrl, futures::read_as_bytes};
 use gloo::net::http::Request;
 use gloo::timers::callback::Timeout;
+use js_sys::Array;
 use wasm_bindgen::JsCast as _;
 use web_sys::{FileList, HtmlAnchorElement};
 use yew::Callback;
@@ -29,6 +30,9 @@ const MAPS: &str = "static/maps";
 
 /// Where the catalogues of languages are.
 const LANGUAGES: &str = "static/languages";
+
+/// So many bytes of a file are told to the course: more than a hand-in or a lesson may have.
+const MOST_FOR_COURSE: usize = 1_100_000;
 
 /// How long a saved file's text is kept for the browser, in milliseconds.
 const KEPT_MS: u32 = 60_000;
@@ -90,6 +94,9 @@ pub(crate) fn open(
     let state = state.clone();
     spawn_local(async move {
         match read_all(&files).await {
+            Ok(opened) if are_hand_ins(&opened) => {
+                show.emit(Panel::Course(for_course(&opened, &files)));
+            }
             Ok(opened) => match brought(&opened) {
                 Some(picture) => floor_plan::lay(picture, &send).await,
                 None => read(&state, opened, &send, &show),
@@ -97,6 +104,23 @@ pub(crate) fn open(
             Err(notice) => take(Err(notice), &send, &show),
         }
     });
+}
+
+/// Files as the course takes them: a list of name, time in milliseconds, and text, as JSON. Of a
+/// file that is longer than any hand-in a part tells so.
+fn for_course(opened: &[Opened], files: &[File]) -> String {
+    let list = Array::new();
+    for (opened, file) in opened.iter().zip(files) {
+        let bytes = opened.bytes.get(..MOST_FOR_COURSE);
+        let text = String::from_utf8_lossy(bytes.unwrap_or(&opened.bytes));
+        let time = AsRef::<web_sys::File>::as_ref(file).last_modified();
+        list.push(&Array::of3(
+            &opened.name.as_str().into(),
+            &time.into(),
+            &(&*text).into(),
+        ));
+    }
+    js_sys::JSON::stringify(&list).map_or_else(|_| String::new(), String::from)
 }
 
 /// Opens files; those that the page does not read by itself are left to the reader.

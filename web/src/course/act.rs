@@ -60,6 +60,7 @@ impl Tutor {
         }
         let is = self.step();
         if is != was {
+            self.handing = None;
             self.order.clear();
             self.typed.clear();
             self.before = None;
@@ -82,10 +83,15 @@ impl Tutor {
         if is != was {
             address::show(self.learner.open.as_ref());
         }
-        if let Some(line) = &self.line
-            && is.is_some() != was.is_some()
-        {
-            line.tell_state(is.is_some());
+        if is.is_some() != was.is_some() {
+            self.tell_lesson(is.is_some());
+        }
+    }
+
+    /// Tells the page whether a lesson is open.
+    pub(super) fn tell_lesson(&self, is_open: bool) {
+        if let Some(line) = &self.line {
+            line.tell_state(is_open);
         }
     }
 

@@ -11,6 +11,7 @@ use yew::prelude::*;
 
 use super::author::AuthorMsg;
 use super::card::{Card, bar};
+use super::class::ClassMsg;
 use super::glossary::Terms;
 use super::language_button::use_language_button;
 use super::own::{self, Own};
@@ -247,6 +248,7 @@ fn foot(
     };
     let turn = once(&props.send, move || Msg::Show(Some(page)));
     let write = once(&props.send, || Msg::Author(AuthorMsg::Open));
+    let class = once(&props.send, || Msg::Class(ClassMsg::Open));
     html! {
         <footer class="sf">
             <span class="prog"><b>{ done }</b>{ tr!("behind a number" => " of {n} lesson done" | " of {n} lessons done" % all) }</span>
@@ -254,6 +256,7 @@ fn foot(
             if !is_new { { forget(props, asks, next) } }
             <span class="grow"></span>
             <button type="button" class="btn outline" onclick={turn}>{ icon::show(name) }<span>{ word }</span></button>
+            <button type="button" class="btn ghost" title={tr!("What your class has handed in, judged anew")} onclick={class}>{ icon::show("table") }<span>{ tr!("Hand-ins") }</span></button>
             <button type="button" class="btn outline" onclick={write}>{ icon::show("edit") }<span>{ tr!("Write your own") }</span></button>
         </footer>
     }

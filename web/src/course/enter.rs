@@ -59,6 +59,7 @@ impl Tutor {
                     self.reword(ctx);
                 }
                 self.arrive_late(ctx);
+                self.class_late(ctx);
                 self.read_own();
             }
             Err(sentence) => self.miss(sentence),

@@ -9,6 +9,7 @@ use yew::prelude::*;
 
 use super::contents::Page;
 use super::exercise;
+use super::handin::{self, HandMsg};
 use super::proof;
 use super::prose::Reader;
 use super::shelf::Shelf;
@@ -21,6 +22,10 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
     let Some(step) = open.step() else {
         return html! {};
     };
+    if let Some(handing) = &tutor.handing {
+        let column = handin::show(tutor, handing, open, &tutor.learner.progress, send);
+        return html! { <aside class="insp lesson" aria-label={tr!("Lesson")}>{ column }</aside> };
+    }
     let robots = open.robots();
     let reader = Reader {
         agents: &robots,
@@ -42,7 +47,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                 if let Some(task) = &step.task {
                     { exercise::show(tutor, open, task, reader) }
                 }
-                { elsewhere(send) }
+                { elsewhere(open, send) }
             </div>
             { foot(tutor, open, send) }
             { third::show(open, step, reader) }
@@ -76,8 +81,8 @@ fn way_out(open: &Open, send: &Callback<Msg>) -> Html {
     }
 }
 
-/// The lesson before a room, and on paper.
-fn elsewhere(send: &Callback<Msg>) -> Html {
+/// The lesson before a room, on paper, and for a lecturer.
+fn elsewhere(open: &Open, send: &Callback<Msg>) -> Html {
     let press = |msg: fn() -> Msg| send.reform(move |_: MouseEvent| msg());
     html! {
         <div class="exa elsewhere">
@@ -87,6 +92,11 @@ fn elsewhere(send: &Callback<Msg>) -> Html {
             <button type="button" class="btn ghost" title={tr!("The lesson on paper, its answers apart")} onclick={press(|| Msg::Print)}>
                 { icon::show("file") }<span>{ tr!("Print") }</span>
             </button>
+            if handin::can_begin(open) {
+                <button type="button" class="btn ghost" title={tr!("Save your answers for your lecturer")} onclick={press(|| Msg::Hand(HandMsg::Begin))}>
+                    { icon::show("share") }<span>{ tr!("Hand in") }</span>
+                </button>
+            }
         </div>
     }
 }

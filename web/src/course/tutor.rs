@@ -15,8 +15,10 @@ use yew::prelude::*;
 use super::address;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
+use super::class::{self, Came, ClassMsg, ClassTable, Collected, Shows};
 use super::contents::{Contents, Page};
 use super::enter::no_lesson;
+use super::handin::{HandMsg, Handing};
 use super::kept::Kept;
 use super::keys;
 use super::language;
@@ -28,6 +30,7 @@ use super::print::Sheet;
 use super::shelf::Shelf;
 use super::sight::{bring_into_view, focus, has_focus, refocus};
 use super::tour::Guide;
+use crate::course::class::ClassProps;
 use crate::course::contents::ContentsProps;
 use crate::course::tour::GuideProps;
 use crate::foreign::{self, Anew};
@@ -61,6 +64,10 @@ pub(super) enum Msg {
     Fetched(Place, Result<Rc<Lesson>, String>),
     /// Something is done in the editor.
     Author(AuthorMsg),
+    /// A lesson is handed in.
+    Hand(HandMsg),
+    /// Something happens to the hand-ins of a class.
+    Class(ClassMsg),
     /// Another tab has kept progress.
     Elsewhere,
     /// Shows a page of the contents, or closes them.
@@ -128,6 +135,12 @@ pub(super) struct Tutor {
     pub(super) author: Author,
     pub(super) asker: Asker,
     pub(super) line: Option<Line>,
+    /// What is typed while the lesson is handed in.
+    pub(super) handing: Option<Handing>,
+    /// The hand-ins of a class.
+    pub(super) class: Option<Collected>,
+    /// Hand-ins that came before the course was there.
+    pub(super) arriving: Option<Vec<Came>>,
     /// The lesson on its way to a printer.
     pub(super) sheet: Option<Sheet>,
     /// How often the elements were built anew.
@@ -167,6 +180,9 @@ impl Component for Tutor {
             author: Author::new(&asker, ctx.link().callback(Msg::Author)),
             asker,
             line: None,
+            handing: None,
+            class: None,
+            arriving: None,
             sheet: None,
             built: 0,
             _listening: [
@@ -187,11 +203,17 @@ impl Component for Tutor {
             Msg::Do(Action::Page(message)) if self.tour.is_some() => {
                 self.guide(tour::Action::Page(message));
             }
+            Msg::Do(action) if self.heard_of_work(ctx, &action) => {}
             Msg::Do(action) => self.act(ctx, action),
+            Msg::Hand(msg) => self.hand(ctx, msg),
+            Msg::Class(msg) => self.collect(ctx, msg),
             Msg::Author(msg) => self.author(ctx, msg),
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(name) if name == NEXT => self.begin(ctx),
+            Msg::Open(address) if class::are_hand_ins(&address) => {
+                self.collect(ctx, ClassMsg::Came(class::came(&address)));
+            }
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => {
                 if let Some(place) = Place::read(&address) {
@@ -265,6 +287,12 @@ impl Component for Tutor {
                 }
                 if let Some(page) = &self.page {
                     { part::<Contents>(ContentsProps { spoken: language::tag(), page: *page, shelf: self.shelf.clone(), progress: self.learner.progress.clone(), own: self.own.clone(), missing: self.missing.clone(), send: send.clone() }) }
+                }
+                if let Some(class) = &self.class {
+                    if class.shows == Shows::Table {
+                        { part::<ClassTable>(ClassProps { content: class.content(&send), version: (class.version(), language::tag()), send: send.clone() }) }
+                    }
+                    if class.shows == Shows::Work { { class::show_work(self, class, &send) } }
                 }
                 { self.author_view(&send) }
             </Anew>

@@ -17,6 +17,23 @@ fn lesson(files: &[Opened]) -> Option<String> {
     is_lesson.then(|| text.into_owned())
 }
 
+/// Whether some of the files is a hand-in of a lesson, or a list of links to such, by a look at
+/// it: the course reads them all.
+///
+/// ```
+/// use giveway_page::files::{Opened, are_hand_ins};
+/// let file = |text: &str| Opened { name: "a.txt".into(), bytes: text.into() };
+/// assert!(are_hand_ins(&[file("{}"), file("> { \"giveway\": 1, \"hand-in\": {} }")]));
+/// assert!(are_hand_ins(&[file("https://example.org/#hand-in=~Xy")]));
+/// assert!(!are_hand_ins(&[file(r#"{ "giveway": 1, "name": "hand-in" }"#)]));
+/// ```
+pub fn are_hand_ins(files: &[Opened]) -> bool {
+    let is_one = |text: &str| text.contains("\"hand-in\":") || text.contains("hand-in=~");
+    files
+        .iter()
+        .any(|file| text(file).is_ok_and(|text| is_one(&text)))
+}
+
 /// Reads files that the page reads by itself; a scenario that lacks its map takes that
 /// of the board, where it fits. `None` where the files are for the reader.
 ///

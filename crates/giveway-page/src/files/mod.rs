@@ -25,7 +25,7 @@ pub(crate) use kind::is_read_here;
 
 pub use blank::blank;
 pub use course::Together;
-pub use dropped::read_beside;
+pub use dropped::{are_hand_ins, read_beside};
 pub use save::{
     Saved, changes_file, kept_file, picture_name, plan_file, robots_file, scene_file, sizing_file,
     trace_file,
@@ -54,7 +54,8 @@ pub enum Reading {
     Linked(Box<Together>),
     /// A map and a scenario: a person chooses how many of its agents.
     Scenario(Box<Choice>),
-    /// A lesson, for the course: its text, or the part of a link that holds it.
+    /// A lesson, for the course: its text, or the part of a link that holds it; or hand-ins of
+    /// lessons, as they were pasted.
     Lesson(String),
     /// A scene with a plan that breaks a rule: the reader brings it into an audit.
     Illegal(Vec<Opened>),
@@ -176,15 +177,18 @@ pub fn pasted(state: &State, text: &str) -> Result<Pasted, Notice> {
         let linked = link::read(link, link::From::Anywhere)?;
         return Ok(Pasted::Read(Reading::Linked(Box::new(linked.into()))));
     }
-    if let Some(lesson) = link::lesson(link).filter(|_| link.len() < text.len()) {
-        return Ok(Pasted::Read(Reading::Lesson(lesson)));
-    }
     let files = [Opened {
         name: PASTED.text().to_owned(),
         bytes: text.as_bytes().to_vec(),
     }];
     if let Some(notice) = larger_than(PASTED.text(), text.len() as u64, MAX_BYTES) {
         return Err(notice);
+    }
+    if are_hand_ins(&files) {
+        return Ok(Pasted::Read(Reading::Lesson(text.to_owned())));
+    }
+    if let Some(lesson) = link::lesson(link).filter(|_| link.len() < text.len()) {
+        return Ok(Pasted::Read(Reading::Lesson(lesson)));
     }
     match read_beside(state, &files) {
         Some(read) => read.map(Pasted::Read),
