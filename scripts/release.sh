@@ -3,7 +3,7 @@
 
 readonly deny_version=0.20.2
 # The crates that are published, in dependency order.
-readonly published=(giveway-model giveway-formats giveway-picture giveway-proof giveway-planners giveway-order giveway-solve giveway-sweep giveway-cli)
+readonly published=(giveway-model giveway-formats giveway-picture giveway-proof giveway-planners giveway-order giveway-solve giveway-sweep giveway-course giveway-cli)
 
 # Versions, what crates hold, licences, workflows: some seconds, nothing is built.
 test_release() {

@@ -10,7 +10,7 @@ import { pathToFileURL } from "node:url";
 import { root, settings } from "./settings.mjs";
 
 /** The crates that are published, in dependency order. */
-export const CRATES = ["giveway-model", "giveway-formats", "giveway-picture", "giveway-proof", "giveway-planners", "giveway-order", "giveway-solve", "giveway-sweep", "giveway-cli"];
+export const CRATES = ["giveway-model", "giveway-formats", "giveway-picture", "giveway-proof", "giveway-planners", "giveway-order", "giveway-solve", "giveway-sweep", "giveway-course", "giveway-cli"];
 
 const VERSION = /^\d+\.\d+\.\d+(-[0-9A-Za-z.-]+)?$/;
 

@@ -14,6 +14,7 @@ mod compare;
 mod convert;
 mod explain;
 mod freedom;
+mod grade;
 mod order;
 mod picture;
 mod price;
@@ -31,6 +32,7 @@ pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use explain::Explain;
 pub(crate) use freedom::Freedom;
+pub(crate) use grade::Grade;
 pub(crate) use order::Order;
 pub(crate) use picture::Picture;
 pub(crate) use price::Price;
@@ -60,7 +62,8 @@ The ending of the name says which one it is; without one, how the file begins.
 
 Exit status
   0   the question was answered; \"impossible\" is an answer, and \"feasible\" too
-  1   the input is wrong, a check found violations, or a certificate was rejected
+  1   the input is wrong, a check found violations, a certificate was rejected, or a hand-in says
+      that a task is solved which is not
   2   the command line is wrong
   3   the budget ran out without any answer (unknown)
   130 Ctrl-C: the best plan so far is told; a second one ends the command at once";
@@ -139,6 +142,8 @@ pub(crate) enum Command {
     Picture(Picture),
     /// Write a report of a plan: what is proved, the map, costs, each robot
     Report(Report),
+    /// Judge the hand-ins of a class anew
+    Grade(Grade),
     /// Do many tasks, such as a benchmark, or a part of them
     Sweep(Sweep),
     /// Make tables and plots of a sweep's results

@@ -85,13 +85,13 @@ struct SearchLine {
     known: Known,
 }
 
-/// The line while frames are drawn.
-pub(crate) struct FrameLine {
+/// The line while one thing after the other is done.
+pub(crate) struct StepLine {
     clock: Clock,
     line: Option<Line>,
 }
 
-impl FrameLine {
+impl StepLine {
     /// A line, unless `quiet` or standard error is no terminal.
     pub(crate) fn new(clock: Clock, quiet: bool) -> Self {
         let shown = !quiet && io::stderr().is_terminal();
@@ -99,10 +99,9 @@ impl FrameLine {
         Self { clock, line }
     }
 
-    /// So many frames of all are done.
-    pub(crate) fn show(&mut self, done: usize, all: usize) {
+    /// Tells what is done now.
+    pub(crate) fn show(&mut self, words: impl FnOnce() -> String) {
         if let Some(line) = &mut self.line {
-            let words = || format!("Drawing frame {} of {all} ...", done + 1);
             line.show(self.clock.wall_seconds(), words);
         }
     }

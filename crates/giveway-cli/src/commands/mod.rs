@@ -8,6 +8,7 @@ mod convert;
 mod delays;
 mod explain;
 mod freedom;
+mod grade;
 mod manual;
 mod order;
 mod otherwise;
@@ -47,6 +48,7 @@ pub(crate) fn run(args: &Args, clock: Clock) -> Result<Exit, Failure> {
         Command::Picture(picture) => picture::run(picture, &args.common, clock),
         Command::Report(report) => report::run(report, &args.common, clock),
         Command::Verify(verify) => verify::run(verify, &args.common),
+        Command::Grade(grade) => grade::run(grade, &args.common, clock),
         Command::Sweep(sweep) => sweep::run(sweep, &args.common),
         Command::Table(table) => sweep::table(table),
         Command::Completions { shell } => manual::completions(*shell),

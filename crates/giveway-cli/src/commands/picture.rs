@@ -17,7 +17,7 @@ use crate::{
     failure::Failure,
     input,
     output::{Said, files, raster::Raster, stream},
-    progress::FrameLine,
+    progress::StepLine,
 };
 
 /// The longest side of a picture where nobody says how large a cell is, in pixels.
@@ -53,7 +53,7 @@ pub(crate) fn run(args: &Picture, common: &Common, clock: Clock) -> Result<Exit,
         Kind::Svg if args.animate => moving(&instance, &plan, &look).into_bytes(),
         Kind::Svg => still(&instance, &plan, args.at, &look).into_bytes(),
         Kind::Png => png(&instance, &plan, args.at, &look)?,
-        Kind::Gif => frames(&instance, &plan, &look, FrameLine::new(clock, common.quiet))?,
+        Kind::Gif => frames(&instance, &plan, &look, StepLine::new(clock, common.quiet))?,
     };
     match &args.output {
         Some(path) => files::write(path, &bytes)?,
@@ -154,7 +154,7 @@ fn frames(
     instance: &Instance,
     plan: &Plan,
     look: &Look,
-    mut line: FrameLine,
+    mut line: StepLine,
 ) -> Result<Vec<u8>, Failure> {
     let mut ground = None;
     let made = gif(
@@ -169,7 +169,7 @@ fn frames(
             ground.under(&shot.over).map(Raster::pixels)
         },
         |done, all| {
-            line.show(done, all);
+            line.show(|| format!("Drawing frame {} of {all} ...", done + 1));
             ControlFlow::Continue(())
         },
     );

@@ -1,8 +1,9 @@
 //! What was edited of a scene, and whether a step allows it.
 
-use giveway_model::{Agent, Cell, Grid, Ground, Scene};
+use giveway_model::{Cell, Grid, Ground};
 
-use super::{Situation, Why};
+use super::fixed::is_same_but_for_board;
+use super::{Situation, Why, robots};
 use crate::lesson::{Step, Tool};
 
 /// An edit that a step does not allow.
@@ -16,22 +17,32 @@ pub enum Outside {
     Rules,
 }
 
+/// What was done with a scene.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Count {
+    /// How many edits that takes.
+    pub(super) edits: u32,
+    /// The cells that have something now which they had not.
+    pub(super) edited: Vec<Cell>,
+    /// The cells that a robot or its goal was taken from.
+    pub(super) left: Vec<Cell>,
+}
+
 /// The cells that were edited, and those of the robots that were.
 ///
 /// # Errors
 /// Where the step does not allow it, with what it does not.
 pub(super) fn allowed(situation: Situation<'_>) -> Result<Vec<Cell>, Why> {
     let Situation { step, start, scene } = situation;
-    let fixed = (start.rules, &start.objective) == (scene.rules, &scene.objective);
     let grids = (Grid::from_rows(&start.map), Grid::from_rows(&scene.map));
     let (Ok(before), Ok(now)) = grids else {
         return Err(Why::Outside(Outside::Rules));
     };
-    if !fixed || (before.width(), before.height()) != (now.width(), now.height()) {
+    let is_same_size = (before.width(), before.height()) == (now.width(), now.height());
+    if !is_same_size || !is_same_but_for_board(start, scene, &now) {
         return Err(Why::Outside(Outside::Rules));
     }
-    let mut edited = Vec::new();
-    let mut edits = 0;
+    let mut count = Count::default();
     for y in 0..now.height() {
         for x in 0..now.width() {
             let cell = Cell::new(x, y);
@@ -40,21 +51,22 @@ pub(super) fn allowed(situation: Situation<'_>) -> Result<Vec<Cell>, Why> {
             };
             if was != is {
                 tool(step, tools(was, is), Outside::Cell(cell))?;
-                edits += 1;
-                edited.push(cell);
+                count.edits += 1;
+                count.edited.push(cell);
             }
         }
     }
-    robots(situation, &mut edits, &mut edited)?;
-    if let Some(cell) = edited.iter().find(|cell| !may_change(step, **cell)) {
+    robots::compare(situation, &mut count)?;
+    let mut touched = count.edited.iter().chain(&count.left);
+    if let Some(cell) = touched.find(|cell| !may_change(step, **cell)) {
         return Err(Why::Outside(Outside::Cell(*cell)));
     }
     match step.edits {
-        Some(allowed) if edits > allowed => Err(Why::TooManyEdits {
-            made: edits,
+        Some(allowed) if count.edits > allowed => Err(Why::TooManyEdits {
+            made: count.edits,
             allowed,
         }),
-        _ => Ok(edited),
+        _ => Ok(count.edited),
     }
 }
 
@@ -64,7 +76,11 @@ fn may_change(step: &Step, cell: Cell) -> bool {
         .is_none_or(|cells| cells.contains(&cell))
 }
 
-fn tool(step: &Step, any: &[Tool], outside: Outside) -> Result<(), Why> {
+/// Whether a step has one of some tools.
+///
+/// # Errors
+/// Where it has none of them, with what was done without.
+pub(super) fn tool(step: &Step, any: &[Tool], outside: Outside) -> Result<(), Why> {
     if any.iter().any(|tool| step.tools.contains(tool)) {
         Ok(())
     } else {
@@ -84,66 +100,4 @@ const fn tools(was: Ground, is: Ground) -> &'static [Tool] {
         (_, Ground::Charger | Ground::SlowCharger) => &[Tool::Charger, Tool::Erase, Tool::Move],
         _ => &[Tool::SlowZone, Tool::Erase],
     }
-}
-
-fn robots(situation: Situation<'_>, edits: &mut u32, edited: &mut Vec<Cell>) -> Result<(), Why> {
-    let Situation { step, start, scene } = situation;
-    for agent in &scene.agents {
-        let outside = || Outside::Robot(agent.name.clone());
-        match by_name(start, &agent.name) {
-            None => {
-                tool(step, &[Tool::Robot], outside())?;
-                *edits += 1;
-                edited.push(agent.start);
-                edited.extend(agent.goal);
-            }
-            Some(before) => moved(step, before, agent, edits, edited)?,
-        }
-    }
-    for agent in &start.agents {
-        if by_name(scene, &agent.name).is_none() {
-            let outside = Outside::Robot(agent.name.clone());
-            tool(step, &[Tool::Erase], outside)?;
-            *edits += 1;
-        }
-    }
-    Ok(())
-}
-
-fn moved(
-    step: &Step,
-    before: &Agent,
-    agent: &Agent,
-    edits: &mut u32,
-    edited: &mut Vec<Cell>,
-) -> Result<(), Why> {
-    let outside = || Outside::Robot(agent.name.clone());
-    if before.battery != agent.battery {
-        return Err(Why::Outside(outside()));
-    }
-    if before.start != agent.start {
-        tool(step, &[Tool::Move], outside())?;
-        *edits += 1;
-        edited.push(agent.start);
-    }
-    if before.goal != agent.goal {
-        tool(step, &[Tool::Goal, Tool::Move], outside())?;
-        *edits += 1;
-        edited.extend(agent.goal.or(before.goal));
-    }
-    let other = |one: &Agent, two: &Agent| -> Vec<Cell> {
-        let cells = one.waypoints.iter().copied();
-        cells.filter(|cell| !two.waypoints.contains(cell)).collect()
-    };
-    let (new, gone) = (other(agent, before), other(before, agent));
-    if !new.is_empty() || !gone.is_empty() {
-        tool(step, &[Tool::Waypoint, Tool::Move], outside())?;
-        *edits += new.len().max(gone.len()) as u32;
-        edited.extend(new);
-    }
-    Ok(())
-}
-
-fn by_name<'a>(scene: &'a Scene, name: &str) -> Option<&'a Agent> {
-    scene.agents.iter().find(|agent| agent.name == name)
 }

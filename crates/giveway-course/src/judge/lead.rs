@@ -1,7 +1,7 @@
 //! Judges a plan that was made by leading robots by hand.
 
 use giveway_model::check::{Rule, Violation, check};
-use giveway_model::{Costs, Instance, Objective, Path, Plan, Scene, ends_with_rest};
+use giveway_model::{Cell, Costs, Instance, Objective, Plan, Scene, ends_with_rest};
 use giveway_solve::Response;
 
 use super::proved::{self, Proved};
@@ -126,20 +126,33 @@ fn is_past(scene: &Scene, plan: &Plan, violation: &Violation) -> bool {
     })
 }
 
-/// A robot that was not to be led, and goes another way than the step's plan has it.
+/// A robot that was not to be led, and goes another way than the step's plan has it: where
+/// it has no path there, it stands where it starts.
 fn led_another(task: &Lead, situation: Situation<'_>, plan: &Plan) -> Option<String> {
-    let given = situation.step.plan.as_ref()?;
     let others = situation.scene.agents.iter();
     let mut others = others.filter(|agent| !task.robots.contains(&agent.name));
-    let changed = others.find(|agent| {
-        let same = |path: &[Option<giveway_model::Cell>]| -> Path {
-            let mut path = path.to_vec();
-            while ends_with_rest(&path, agent.goal) {
-                path.pop();
-            }
-            path
-        };
-        same(plan.path(&agent.name)) != same(given.path(&agent.name))
+    let given = situation.step.plan.as_ref();
+    let changed = others.find(|agent| match given {
+        Some(given) if !given.path(&agent.name).is_empty() => {
+            let charges = |plan: &Plan| plan.charges.get(&agent.name).cloned();
+            let charges = (charges(plan), charges(given));
+            let paths = [plan.path(&agent.name), given.path(&agent.name)];
+            let [path, wanted] = paths.map(|path| without_rest(path, agent.goal));
+            charges.0.unwrap_or_default() != charges.1.unwrap_or_default() || path != wanted
+        }
+        Some(_) | None => {
+            let mut cells = plan.path(&agent.name).iter().flatten();
+            cells.any(|cell| *cell != agent.start)
+        }
     });
     changed.map(|agent| agent.name.clone())
+}
+
+/// A path without the steps in which its robot rests at its end.
+fn without_rest(path: &[Option<Cell>], goal: Option<Cell>) -> &[Option<Cell>] {
+    let mut path = path;
+    while ends_with_rest(path, goal) {
+        path = path.split_last().map_or(path, |(_, before)| before);
+    }
+    path
 }

@@ -5,26 +5,31 @@
 //! There is a file for each kind of task; [`words`] makes sentences of verdicts.
 
 pub(crate) mod ask;
+mod brought;
 mod change;
 mod choose;
 mod edits;
+mod fixed;
 mod lead;
 pub(crate) mod order;
 mod paint;
 mod predict;
 pub(crate) mod proved;
+mod robots;
 mod spot;
 pub(crate) mod statement;
 mod verdict;
 pub mod words;
 
 use borsh::{BorshDeserialize, BorshSerialize};
-use giveway_model::{Cell, Plan, Scene};
+use giveway_model::{Cell, Plan, Scene, object_only};
 use giveway_solve::change::Method;
 use giveway_solve::{Request, Response};
+use serde::{Deserialize, Serialize};
 
 use crate::lesson::{Step, Task, Value};
 
+pub(crate) use brought::{Outsider, may_bring};
 pub use edits::Outside;
 pub(crate) use spot::{conflicts, is_same_conflict};
 pub use statement::Held;
@@ -66,7 +71,8 @@ pub enum Did {
 }
 
 /// A conflict that a learner has marked.
-#[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(remote = "Self", deny_unknown_fields)]
 pub struct Mark {
     /// When.
     pub time: u32,
@@ -75,6 +81,8 @@ pub struct Mark {
     /// Where they were clicked.
     pub cells: Vec<Cell>,
 }
+
+object_only!(Mark);
 
 /// What is known at once.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +101,9 @@ impl From<Verdict> for Judging {
 
 /// Begins to judge; `None` where there is no task.
 pub fn begin(situation: Situation<'_>, did: &Did) -> Option<Judging> {
+    if let Err(verdict) = on_its_board(situation) {
+        return situation.step.task.as_ref().map(|_| (*verdict).into());
+    }
     let judging = match (situation.step.task.as_ref()?, did) {
         (Task::Paint(task), Did::Edits) => paint::begin(task, situation),
         (Task::Lead(task), Did::Led(plan)) => lead::begin(task, situation, plan),
@@ -109,6 +120,9 @@ pub fn begin(situation: Situation<'_>, did: &Did) -> Option<Judging> {
 /// The verdict, once the solver has answered all that [`begin`] asked; `None` where
 /// there is no task.
 pub fn conclude(situation: Situation<'_>, did: &Did, responses: &[Response]) -> Option<Verdict> {
+    if let Err(verdict) = on_its_board(situation) {
+        return situation.step.task.as_ref().map(|_| *verdict);
+    }
     let verdict = match (situation.step.task.as_ref()?, did) {
         (Task::Paint(task), Did::Edits) => paint::conclude(task, situation, responses),
         (Task::Lead(task), Did::Led(plan)) => lead::conclude(task, situation, plan, responses),
@@ -128,4 +142,15 @@ pub fn conclude(situation: Situation<'_>, did: &Did, responses: &[Response]) -> 
         _ => Verdict::not_yet(Why::Untouched),
     };
     Some(verdict)
+}
+
+/// Whether the board is one that the step allows, whatever its task is.
+fn on_its_board(situation: Situation<'_>) -> Result<(), Box<Verdict>> {
+    if situation.scene == situation.start {
+        return Ok(());
+    }
+    let allowed = edits::allowed(situation);
+    allowed
+        .map(drop)
+        .map_err(|why| Box::new(Verdict::not_like_this(why)))
 }

@@ -227,7 +227,7 @@ impl Verdict {
         Self::new(Kind::Solved, why)
     }
 
-    pub(super) fn not_like_this(why: Why) -> Self {
+    pub(crate) fn not_like_this(why: Why) -> Self {
         Self::new(Kind::NotLikeThis, why)
     }
 

@@ -2,6 +2,7 @@
 
 use giveway_solve::Response;
 
+use super::works::Judged;
 use super::{AskNumber, Effect, Judge, Learner};
 use crate::judge;
 
@@ -23,8 +24,8 @@ impl Learner {
         matches!(judge, Some(Judge::Looking(looking)) if looking.number == number)
     }
 
-    /// The solver has answered about the step that was left: where it was solved, that
-    /// is kept, and nothing else happens.
+    /// The solver has answered about the step that was left: what was done and
+    /// solved is kept, and nothing else happens.
     pub(super) fn answered_left(&mut self, response: Response, effects: &mut Vec<Effect>) {
         let Some(mut left) = self.left.take() else {
             return;
@@ -45,9 +46,16 @@ impl Learner {
         let verdict = left
             .situation()
             .and_then(|situation| judge::conclude(situation, &left.did, &responses));
-        if verdict.is_some_and(|verdict| verdict.is_solved()) {
-            self.progress.solved(&left.id, &left.lesson, left.at);
-            effects.push(Effect::Keep(self.progress.clone()));
+        let Some(verdict) = verdict else {
+            return;
+        };
+        if let Some(work) = left.work() {
+            let judged = Judged::by(&verdict);
+            self.progress.worked(&left.id, &left.lesson, work, judged);
         }
+        if verdict.is_solved() {
+            self.progress.solved(&left.id, &left.lesson, left.at);
+        }
+        effects.push(Effect::Keep(self.progress.clone()));
     }
 }

@@ -14,6 +14,7 @@ mod progress;
 mod proof;
 mod reduce;
 mod task;
+mod works;
 
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_solve::{Request, Response};

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use giveway_model::{Agent, Plan, Scene};
 
 use super::{Judge, Proof};
+use crate::handin::{Work, work_of};
 use crate::judge::{Did, Situation};
 use crate::lesson::quantity::ValueKind;
 use crate::lesson::{Id, Layer, Lesson, Step, Task};
@@ -205,6 +206,11 @@ impl Open {
             start: &self.start,
             scene: &self.scene,
         })
+    }
+
+    /// What was done for the task, as it is kept.
+    pub(super) fn work(&self) -> Option<Work> {
+        work_of(&self.lesson, self.at, self.situation()?, &self.did)
     }
 
     /// The board of the step.

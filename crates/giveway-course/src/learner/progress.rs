@@ -6,11 +6,15 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::{Fault, Version, format::native, tr};
 use serde::{Deserialize, Serialize};
 
+use super::works::{Judged, Works};
+use crate::handin::Work;
 use crate::lesson::read::{MAX_LESSONS, MAX_STEPS};
 use crate::lesson::{Id, Lesson, Step};
 
 /// The most steps of a lesson whose texts are kept as solved.
 const MAX_TEXTS: usize = 4 * MAX_STEPS;
+/// The most letters of all answers that are kept.
+const MAX_LETTERS: usize = 1_000_000;
 
 /// How far each lesson has come.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,6 +56,9 @@ struct Reached {
     /// How many tasks it has.
     #[serde(default)]
     tasks: usize,
+    /// What was done for them.
+    #[serde(default, skip_serializing_if = "Works::is_empty")]
+    works: Works,
 }
 
 impl Reached {
@@ -82,6 +89,7 @@ impl Reached {
         self.texts.extend(other.texts);
         self.limit_texts();
         self.tasks = self.tasks.max(other.tasks);
+        self.works.join(other.works);
     }
 }
 
@@ -153,6 +161,40 @@ impl Progress {
                         reached.join(theirs);
                     }
                 }
+                self.limit_works(None);
+            }
+        }
+    }
+
+    /// The last answers to the tasks of a lesson that are still the same, in the order of
+    /// the steps.
+    pub fn works(&self, id: &Id, lesson: &Lesson) -> Vec<Work> {
+        let reached = self.lessons.get(id);
+        reached.map_or_else(Vec::new, |reached| reached.works.of(lesson))
+    }
+
+    /// Something was done for a task.
+    pub(super) fn worked(&mut self, id: &Id, lesson: &Lesson, work: Work, judged: Judged) {
+        if !self.lessons.contains_key(id) {
+            self.opened(id, lesson, work.step);
+        }
+        if let Some(reached) = self.lessons.get_mut(id) {
+            reached.works.add(lesson, work, judged);
+        }
+        self.limit_works(Some(id));
+    }
+
+    /// Forgets what was done in other lessons where a browser would be asked to keep too
+    /// much.
+    fn limit_works(&mut self, but: Option<&Id>) {
+        let mut letters: usize = self.lessons.values().map(|it| it.works.letters()).sum();
+        for (id, reached) in &mut self.lessons {
+            if letters <= MAX_LETTERS {
+                return;
+            }
+            if Some(id) != but {
+                letters -= reached.works.letters();
+                reached.works = Works::default();
             }
         }
     }
@@ -232,7 +274,7 @@ impl Progress {
         }
         let counts = |it: &Reached| {
             let last = it.solved.last().copied().unwrap_or_default();
-            it.step.max(it.tasks).max(last)
+            it.step.max(it.tasks).max(last).max(it.works.last_step())
         };
         let most = progress.lessons.values().map(counts).max();
         if let Some(step) = most.filter(|most| *most > MAX_STEPS) {
@@ -242,6 +284,10 @@ impl Progress {
                 found,
                 tr!("at most {most}", most = MAX_STEPS),
             ));
+        }
+        if !progress.lessons.values().all(|it| it.works.is_sound()) {
+            let expected = tr!("each step once, in order");
+            return Err(Fault::at("lessons", tr!("answers out of order"), expected));
         }
         Ok(progress)
     }

@@ -1,6 +1,6 @@
 //! From a learner and an action to the next learner, and what must be done outside.
 
-use giveway_model::{Instance, Scene};
+use giveway_model::Scene;
 use giveway_solve::Response;
 
 use super::pointed::{self, Pointed};
@@ -107,18 +107,10 @@ impl Learner {
             }
             return self.close(effects);
         }
-        // A step without a scene goes on with the board as it is, if that can be and all
-        // robots that it may name are there. A plan of its own is one of the lesson's scene.
+        // A step without a scene goes on with the board as it is, if that can be.
         let after = open.at + 1;
-        let own = open.lesson.steps.get(after);
-        let own = own.is_none_or(|step| step.scene.is_some() || step.plan.is_some());
-        let kept = (!own).then(|| open.scene.clone());
-        let has_all = |scene: &Scene| {
-            let has = |name: &str| scene.agents.iter().any(|agent| agent.name == name);
-            let robots = open.lesson.scene(after).map(|scene| scene.agents.iter());
-            robots.is_some_and(|mut robots| robots.all(|robot| has(&robot.name)))
-        };
-        let kept = kept.filter(|scene| Instance::new(scene.clone()).is_ok() && has_all(scene));
+        let board = Some(&open.scene).filter(|board| open.lesson.goes_on_with(after, board));
+        let kept = board.cloned();
         self.go(Some(after), kept, effects);
     }
 

@@ -2,6 +2,7 @@
 
 use giveway_solve::Request;
 
+use super::works::Judged;
 use super::{AskNumber, Effect, Judge, Learner, Looking, Proof};
 use crate::judge::{self, Did, Judging, Verdict, Why};
 use crate::lesson::Task;
@@ -28,6 +29,10 @@ impl Learner {
             return;
         }
         open.attempts = open.attempts.saturating_add(1);
+        self.keep_work(Judged::Not);
+        let Some(open) = &mut self.open else {
+            return;
+        };
         let judging = open
             .situation()
             .and_then(|situation| judge::begin(situation, &open.did));
@@ -73,7 +78,20 @@ impl Learner {
         }
     }
 
+    /// What was done is kept, so that it can be handed in; a lesson that is tried leaves no
+    /// traces.
+    fn keep_work(&mut self, judged: Judged) {
+        let Some(open) = self.open.as_ref().filter(|open| !open.is_tried()) else {
+            return;
+        };
+        if let Some(work) = open.work() {
+            self.progress.worked(&open.id, &open.lesson, work, judged);
+        }
+    }
+
     fn settle(&mut self, mut verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
+        let judged = Judged::by(&verdict);
+        self.keep_work(judged);
         let Some(open) = &mut self.open else {
             return;
         };
@@ -94,9 +112,11 @@ impl Learner {
             }
             if !open.is_tried() {
                 self.progress.solved(&open.id, &open.lesson, open.at);
-                effects.push(Effect::Keep(self.progress.clone()));
             }
             effects.push(Effect::FocusNext);
+        }
+        if !open.is_tried() && judged != Judged::Part {
+            effects.push(Effect::Keep(self.progress.clone()));
         }
         open.judge = Judge::Said(verdict);
     }

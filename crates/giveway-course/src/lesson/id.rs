@@ -36,7 +36,7 @@ impl fmt::Display for BadId {
 impl std::error::Error for BadId {}
 
 /// The FNV-1a hash of a text, with 64 bits. Nothing is at stake but what a learner has done.
-pub(super) fn hash(text: &str) -> u64 {
+pub(crate) fn hash(text: &str) -> u64 {
     let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     text.bytes().fold(0xcbf2_9ce4_8422_2325, mix)
 }

@@ -23,12 +23,13 @@ pub mod text;
 mod translate;
 mod write;
 
-use giveway_model::{Version, object_only};
+use giveway_model::{Instance, Scene, Version, object_only};
 use serde::{Deserialize, Serialize};
 
 pub use board::{Layer, Tool};
 pub use course::{Chapter, Course, Entry, Picture};
 pub use glossary::{Glossary, Source, Term};
+pub(crate) use id::hash;
 pub use id::{BadId, Id};
 pub use own::OwnLessons;
 pub use quantity::{Quantity, Value};
@@ -38,6 +39,7 @@ pub use step::Step;
 pub use task::Task;
 pub use text::{Span, Target, Text};
 pub use translate::{Find, Worded, keys, translated};
+pub(crate) use write::dense as write_dense;
 pub use write::{write_course, write_glossary, write_lesson};
 
 /// A lesson: one idea, in a few steps.
@@ -70,9 +72,21 @@ const fn is_false(value: &bool) -> bool {
 impl Lesson {
     /// The scene with which a step begins where nothing was done before: its own, or
     /// that of the last step before it that has one.
-    pub fn scene(&self, step: usize) -> Option<&giveway_model::Scene> {
+    pub fn scene(&self, step: usize) -> Option<&Scene> {
         let steps = self.steps.get(..=step)?;
         steps.iter().rev().find_map(|step| step.scene.as_ref())
+    }
+
+    /// Whether a step goes on with a board that was edited in the step before: it has no
+    /// scene and no plan of its own, the board is an instance, and all robots that the
+    /// step may name are there.
+    pub(crate) fn goes_on_with(&self, step: usize, board: &Scene) -> bool {
+        let own = self.steps.get(step);
+        let is_own = own.is_none_or(|step| step.scene.is_some() || step.plan.is_some());
+        let has = |name: &str| board.agents.iter().any(|agent| agent.name == name);
+        let robots = self.scene(step).map(|scene| scene.agents.iter());
+        let has_all = robots.is_some_and(|mut robots| robots.all(|robot| has(&robot.name)));
+        !is_own && has_all && Instance::new(board.clone()).is_ok()
     }
 
     /// The lesson as a page of contents shows it, by its first board.

@@ -11,7 +11,7 @@ pub fn write_lesson(lesson: &Lesson) -> String {
 }
 
 /// A lesson as JSON without blanks.
-pub(super) fn dense(lesson: &Lesson) -> String {
+pub(crate) fn dense(lesson: &Lesson) -> String {
     without_defaults(&serde_json::to_string(lesson).unwrap_or_default())
 }
 
