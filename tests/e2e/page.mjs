@@ -293,11 +293,21 @@ export class Playground {
     return dialog.getByRole("button").filter({ has: heading });
   }
 
-  /** Opens an example by its title; it is solved at once. */
+  /** Opens an example by its title; it is solved at once. The scene before it has gone then. */
   async example(title) {
+    const before = await this.#name();
     await this.act("Examples");
     const dialog = this.page.getByRole("dialog", { name: "Examples" });
     await Playground.pick(dialog, title).click();
     await dialog.waitFor({ state: "detached" });
+    // The same one again, and one that does not arrive, leave the name as it is.
+    for (let tries = 0; tries < 60 && await this.#name() === before; tries += 1) {
+      await this.page.waitForTimeout(50);
+    }
+  }
+
+  /** The name of the scene. */
+  #name() {
+    return this.page.evaluate(() => document.querySelector("h1.scene")?.textContent);
   }
 }

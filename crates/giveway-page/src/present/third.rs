@@ -43,7 +43,7 @@ pub fn third(state: &State) -> Option<Third> {
     let told = asking.told.as_deref();
     let text = match &card.verdict {
         Some(verdict) => opening(&verdict.sentence, SENTENCES),
-        None => card.coming.as_ref().map_or("", |coming| coming.doing),
+        None => card.coming.as_ref().map_or("", |coming| &coming.doing),
     };
     Some(Third {
         verdict: told.map(verdict),
