@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use giveway_course::grade::Came;
 use giveway_course::judge::Verdict;
 use giveway_course::learner::{Action, Learner, NEXT};
 use giveway_course::lesson::{Id, Lesson};
@@ -15,7 +16,7 @@ use yew::prelude::*;
 use super::address;
 use super::asker::Asker;
 use super::author::{Author, AuthorMsg, is_own};
-use super::class::{self, Came, ClassMsg, ClassTable, Collected, Shows};
+use super::class::{self, ClassMsg, ClassTable, Collected, Shows};
 use super::contents::{Contents, Page};
 use super::enter::no_lesson;
 use super::handin::{HandMsg, Handing};
@@ -211,8 +212,8 @@ impl Component for Tutor {
             Msg::Tour(action) => self.guide(action),
             Msg::Open(name) if name == tour::NAME => self.begin_tour(ctx),
             Msg::Open(name) if name == NEXT => self.begin(ctx),
-            Msg::Open(address) if class::are_hand_ins(&address) => {
-                self.collect(ctx, ClassMsg::Came(class::came(&address)));
+            Msg::Open(address) if Came::is_in(&address) => {
+                self.collect(ctx, ClassMsg::Came(Came::all(&address)));
             }
             Msg::Open(address) if is_own(&address) => self.arrive(ctx, address),
             Msg::Open(address) => {

@@ -5,11 +5,13 @@
 //! and never a reason; it stands beside the [`Judgement`]. Work is limited by what the
 //! solver does, not by seconds, so that the same files get the same judgements anywhere.
 //!
+//! - [`Came`]: files and links as a page gets them;
 //! - [`Filed`], [`Unread`]: a file, and why it is none of this class;
 //! - [`Row`], [`Share`], [`Wrong`]: the table, and what it says of each task;
 //! - [`csv`], [`Report`]: the same for spreadsheets and programs.
 
 mod answers;
+mod came;
 mod claim;
 mod class;
 pub mod csv;
@@ -22,6 +24,7 @@ mod rows;
 mod shares;
 mod task;
 
+pub use came::Came;
 pub use claim::Claim;
 pub use class::Class;
 pub use filed::{Filed, Unread};

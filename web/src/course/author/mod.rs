@@ -277,7 +277,7 @@ impl Tutor {
 
 impl Author {
     /// The editor is closed; what it is at is of no more use.
-    fn leave(&mut self) {
+    pub(in crate::course) fn leave(&mut self) {
         self.is_open = false;
         self.check(CheckAction::Cancel);
         self.told.clear();

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_course::grade::{Given, Next};
+use giveway_course::grade::{Came, Given, Next};
 use giveway_course::learner::Action;
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{FromPage, Happened, ToPage};
@@ -10,7 +10,7 @@ use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
 use super::choice::Chosen;
-use super::{BOARD, Came, ClassMsg, Collected, Shows};
+use super::{BOARD, ClassMsg, Collected, Shows};
 use crate::course::language;
 use crate::course::tutor::{Msg, Tutor};
 
@@ -19,7 +19,7 @@ const AT_ONCE_MS: f64 = 8.0;
 
 impl Tutor {
     /// What happens to a class.
-    pub(super) fn collect(&mut self, ctx: &Context<Self>, msg: ClassMsg) {
+    pub(in crate::course) fn collect(&mut self, ctx: &Context<Self>, msg: ClassMsg) {
         match msg {
             ClassMsg::Open => self.open_class(ctx, Vec::new()),
             ClassMsg::Came(files) => self.open_class(ctx, files),
@@ -80,7 +80,7 @@ impl Tutor {
     }
 
     /// What the page tells of the board with a student's work; whether it is about that.
-    pub(super) fn heard_of_work(&mut self, ctx: &Context<Self>, action: &Action) -> bool {
+    pub(in crate::course) fn heard_of_work(&mut self, ctx: &Context<Self>, action: &Action) -> bool {
         match action {
             Action::Page(FromPage { number, what }) if *number == BOARD => {
                 if *what == Happened::Closed {
@@ -126,7 +126,7 @@ impl Tutor {
     }
 
     /// Opens the class whose files came before the course was there.
-    pub(super) fn class_late(&mut self, ctx: &Context<Self>) {
+    pub(in crate::course) fn class_late(&mut self, ctx: &Context<Self>) {
         if let Some(files) = self.arriving.take() {
             self.open_class(ctx, files);
         }

@@ -1,5 +1,6 @@
 //! The foot of the table: how far the judging is, and what is done with the table.
 
+use giveway_course::grade::Came;
 use giveway_model::tr;
 use gloo::file::File;
 use gloo::file::futures::read_as_bytes;
@@ -7,7 +8,8 @@ use web_sys::HtmlInputElement;
 use yew::platform::spawn_local;
 use yew::prelude::*;
 
-use super::{Came, ClassMsg, Collected};
+use super::arrive::chosen;
+use super::{ClassMsg, Collected};
 use crate::course::card::bar;
 use crate::course::sight::once;
 use crate::course::tutor::Msg;
@@ -90,7 +92,7 @@ fn read_chosen(input: &HtmlInputElement, send: &Callback<Vec<Came>>) {
         let mut came = Vec::new();
         for file in files {
             if let Ok(bytes) = read_as_bytes(&file).await {
-                came.push(Came::of(&file, &bytes));
+                came.push(chosen(&file, &bytes));
             }
         }
         send.emit(came);

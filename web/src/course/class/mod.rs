@@ -13,7 +13,7 @@ mod work;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use giveway_course::grade::{Class, Order, csv};
+use giveway_course::grade::{Came, Class, Order, csv};
 use giveway_course::learner::{Action, AskNumber};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::BoardNumber;
@@ -25,7 +25,6 @@ use yew::prelude::*;
 use super::asker::Asker;
 use crate::{copy, files};
 
-pub(super) use arrive::{Came, are_hand_ins, came};
 use choice::Chosen;
 pub(super) use table::ClassProps;
 pub(super) use table::ClassTable;

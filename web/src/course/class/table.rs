@@ -1,12 +1,12 @@
 //! The table of a class, over the page: who handed in, and what each task is worth.
 
-use giveway_course::grade::{Claim, Given, Graded, Judgement, Order, Row};
+use giveway_course::grade::{Came, Claim, Given, Graded, Judgement, Order, Row};
 use giveway_model::tr;
 use web_sys::{ClipboardEvent, wasm_bindgen::JsCast as _};
 use yew::prelude::*;
 
 use super::choice::Chosen;
-use super::{ClassMsg, Collected, came, keys, side};
+use super::{ClassMsg, Collected, keys, side};
 use crate::course::contents::use_modal;
 use crate::course::sight::{is_again, once};
 use crate::course::tutor::Msg;
@@ -48,7 +48,7 @@ pub(in crate::course) fn ClassTable(props: &ClassProps) -> Html {
     let onpaste = move |event: Event| {
         let data = event.dyn_ref().and_then(ClipboardEvent::clipboard_data);
         let text = data.and_then(|data| data.get_data("text").ok());
-        let files = came(&text.unwrap_or_default());
+        let files = Came::all(&text.unwrap_or_default());
         if !files.is_empty() {
             event.prevent_default();
             event.stop_propagation();
