@@ -79,14 +79,24 @@ class Learner extends Course {
     } else if (did.choose !== undefined) {
       await this.answers(did.choose);
     } else {
-      await this.guesses(step.task, did.guess);
+      await this.guesses(step, did.guess);
     }
   }
 
-  async guesses(task, guess) {
+  /** Says a value: picks it, presses its cell, or types it. */
+  async guesses({ task, scene }, guess) {
     const place = (task.answers ?? []).findIndex((answer) => JSON.stringify(answer.value) === JSON.stringify(guess));
     if (place >= 0) {
       return this.answers(place);
+    }
+    if (Array.isArray(guess)) {
+      return this.presses(guess);
+    }
+    if (typeof guess === "string") {
+      return this.answers(scene.agents.findIndex((agent) => agent.name === guess));
+    }
+    if (typeof guess === "object") {
+      return this.answers(guess.rule);
     }
     await this.lesson.getByRole("textbox").focus();
     await this.page.keyboard.type(String(guess));

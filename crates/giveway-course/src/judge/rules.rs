@@ -32,6 +32,10 @@ pub(super) fn ask_price(scene: &Scene, rule: u32) -> Vec<Request> {
 /// # Errors
 /// Where there is no plan with the rule, so no price, or where it is not known.
 pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<Price, Why> {
+    // A rule may be gone with what was edited.
+    if !in_force(scene).any(|it| it == rule) {
+        return Err(Why::Unclear);
+    }
     let with = proved::solved(responses.first())?;
     let without = proved::solved(responses.get(1))?;
     let (Proved::Best(with, plan), Proved::Best(without, _)) = (with, without) else {

@@ -200,7 +200,7 @@ impl<'de> Deserialize<'de> for Value {
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(tr!(
-                    "a number, a robot's name, a cell [x, y] or a rule {\"rule\": 0}"
+                    "a number, a robot's name, a cell [x, y] or an object with the number of a rule"
                 ))
             }
 

@@ -60,10 +60,9 @@ pub(super) fn price(rule: u32, cost: Cost, with: u32, without: u32) -> String {
         )
     } else {
         tr!(
-            "{rule} costs {n}: the best {cost} is {with} with it, and {without} without it."
-                | "{rule} costs {n}: the best {cost} is {with} with it, and {without} without it."
-                    % with.saturating_sub(without),
+            "{rule} costs {n}: the best {cost} is {with} with it, and {without} without it.",
             rule,
+            n = with.saturating_sub(without),
             cost,
             with,
             without
