@@ -1,7 +1,7 @@
 //! The requests of the judges, each with a budget that a learner would wait for.
 
 use giveway_model::change::Changes;
-use giveway_model::{Objective, Plan, Question, Scene};
+use giveway_model::{Grid, Objective, Plan, Question, Scene};
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::{ChangeRequest, Method};
 use giveway_solve::delays::DelaysRequest;
@@ -47,6 +47,10 @@ pub(super) fn alone(scene: &Scene, index: usize) -> Request {
     let mut alone = scene.clone();
     let agent = alone.agents.get(index).cloned();
     alone.agents = agent.into_iter().collect();
+    // Rules about others go with them.
+    if let Ok(grid) = Grid::from_rows(&alone.map) {
+        alone.settle_rules(&grid);
+    }
     solve(&alone, None)
 }
 

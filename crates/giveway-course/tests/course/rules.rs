@@ -86,7 +86,11 @@ fn one_rule_may_leave_no_plan() {
 #[test]
 fn who_is_first_is_so_in_every_best_plan() {
     let first = |x: u32| {
-        told(&row(&json!([])), None, json!({ "is": "first-at", "cell": [x, 0] }))
+        told(
+            &row(&json!([])),
+            None,
+            json!({ "is": "first-at", "cell": [x, 0] }),
+        )
     };
     assert_eq!(first(2), robot("A1"));
     // A2 stands there from the start.
@@ -130,7 +134,8 @@ fn steps_are_lost_because_of_somebody() {
 
 #[test]
 fn claims_are_about_prices_and_about_one_rule() {
-    let paths = json!({ "A1": [[1, 0], [2, 0], [3, 0], [4, 0]], "A2": [[0, 0], [1, 0], [2, 0], [3, 0]] });
+    let paths =
+        json!({ "A1": [[1, 0], [2, 0], [3, 0], [4, 0]], "A2": [[0, 0], [1, 0], [2, 0], [3, 0]] });
     let late = json!({ "kind": "arrive", "agents": ["A1"], "by": 3 });
     let step = json!({ "title": "T", "text": ["T."], "scene": row(&json!([late, gap(1)])),
         "plan": { "giveway": 1, "paths": paths },
@@ -152,17 +157,21 @@ fn claims_are_about_prices_and_about_one_rule() {
 
 #[test]
 fn a_price_is_told_with_both_plans() {
-    let step = |until: Json| -> Step {
-        serde_json::from_value(json!({ "title": "T", "text": ["T."], "scene": row(&json!([gap(1)])),
-            "tools": ["obstacle"],
-            "task": { "kind": "paint", "say": "Do.", "until": until } }))
-        .unwrap()
+    let mut start = row(&json!([gap(1)]));
+    start["map"] = json!([".....", "#####"]);
+    let step: Step = serde_json::from_value(json!({
+        "title": "T", "text": ["T."], "scene": start, "tools": ["obstacle"],
+        "task": { "kind": "paint", "say": "Do.",
+                  "until": { "is": "price", "rule": 0, "compare": "=", "value": 0 } } }))
+    .unwrap();
+    let painted = |row: &str| {
+        let mut scene = step.scene.clone().unwrap();
+        scene.map[1] = row.to_owned();
+        let verdict = judged(&step, &scene, &Did::Edits);
+        (verdict.is_solved(), said(&verdict, &step).text.plain())
     };
-    let free = step(json!({ "is": "price", "rule": 0, "compare": "=", "value": 0 }));
-    let verdict = judged(&free, free.scene.as_ref().unwrap(), &Did::Edits);
-    let told = said(&verdict, &free).text.plain();
-    assert_eq!(told, "rule 1 costs 1: the best makespan is 4 with it, and 3 without it.");
-    assert!(!verdict.is_solved());
+    let dear = "rule 1 costs 1: the best makespan is 4 with it, and 3 without it.";
+    assert_eq!(painted("####."), (false, dear.to_owned()));
 }
 
 #[test]
@@ -181,12 +190,22 @@ fn what_is_asked_of_rules_must_be_there() {
     let at = "steps[0].task.what";
     // The second is off, and there is no third.
     for rule in [1, 2] {
-        assert_eq!(faults(&json!({ "is": "price", "rule": rule })), [format!("{at}.rule")]);
+        assert_eq!(
+            faults(&json!({ "is": "price", "rule": rule })),
+            [format!("{at}.rule")]
+        );
     }
-    assert_eq!(faults(&json!({ "is": "first-at", "cell": [9, 9] })), [format!("{at}.cell")]);
+    assert_eq!(
+        faults(&json!({ "is": "first-at", "cell": [9, 9] })),
+        [format!("{at}.cell")]
+    );
     let unknown = json!({ "is": "delay", "robot": "A9", "because": "A8" });
     let found = faults(&unknown);
-    for place in [format!("{at}.robot"), format!("{at}.because"), "steps[0].plan".to_owned()] {
+    for place in [
+        format!("{at}.robot"),
+        format!("{at}.because"),
+        "steps[0].plan".to_owned(),
+    ] {
         assert!(found.contains(&place), "{place}: {found:?}");
     }
 }
@@ -205,7 +224,10 @@ fn the_check_of_a_task_tells_what_has_no_one_answer() {
     let one = row(&json!([gap(1), late]));
     assert_eq!(found(&one, decides.clone()), Finding::Passed);
     let both = row(&json!([late, late]));
-    assert_eq!(found(&both, decides.clone()), Finding::Failed(Problem::Unclear));
+    assert_eq!(
+        found(&both, decides.clone()),
+        Finding::Failed(Problem::Unclear)
+    );
     let some = row(&json!([gap(1)]));
     assert_eq!(found(&some, decides), Finding::Failed(Problem::SomePlan));
 }
