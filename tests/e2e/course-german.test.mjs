@@ -47,8 +47,8 @@ describe("the course in German", () => {
   flow("its contents and its glossary", async (playground, { page }) => {
     const course = new Kurs(playground);
     await course.open();
-    assert.equal(await course.contents.getByRole("listitem").count(), 16);
-    await course.contents.getByText("16 kurze Lektionen").waitFor();
+    assert.equal(await course.contents.getByRole("listitem").count(), 21);
+    await course.contents.getByText("21 kurze Lektionen").waitFor();
     assert.deepEqual(await english(playground), []);
     await playground.picture("course-german-contents");
 
@@ -56,7 +56,7 @@ describe("the course in German", () => {
     const glossary = page.getByRole("dialog", { name: "Glossar" });
     const terms = glossary.getByRole("term");
     const names = await terms.allInnerTexts();
-    assert.equal(names.length, 41);
+    assert.equal(names.length, 49);
     assert.deepEqual(names, names.toSorted(new Intl.Collator("de").compare), "not in the order of the language");
     await playground.picture("course-german-glossary");
     const find = glossary.getByRole("searchbox", { name: "Begriff suchen" });

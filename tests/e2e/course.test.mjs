@@ -23,7 +23,7 @@ describe("the course", () => {
     assert.deepEqual(asked.filter((url) => PROGRAM.test(url)), [], "loaded before it was opened");
     const course = new Course(playground);
     await course.open();
-    assert.equal(await course.contents.getByRole("listitem").count(), 16);
+    assert.equal(await course.contents.getByRole("listitem").count(), 21);
     await course.contents.getByRole("button", { name: "Start: Two robots, one cell" }).click();
     await course.at("Robots take steps");
     await course.next.click();

@@ -6,7 +6,7 @@ import { join } from "node:path";
 
 import { Course } from "./course.mjs";
 import { root } from "./dist.mjs";
-import { still } from "./wait.mjs";
+import { eventually, still } from "./wait.mjs";
 
 /** The tool that paints a cell of a map. */
 const TOOLS = { "#": "Obstacle", "+": "Charger", "~": "Slow zone", ".": "Erase" };
@@ -31,8 +31,33 @@ export const LESSONS = read("static/course/index.json").chapters.flatMap((chapte
 /** Where a robot is: it stays where its path ends. */
 const at = (path, time) => path[Math.min(time, path.length - 1)];
 
-/** What a learner does; how is told by who extends it. */
+/** English words as they are. */
+const asWritten = (text) => text;
+
+/** One of some texts, and nothing else. */
+const exactly = (...texts) => new RegExp(`^(${texts.map((text) => phrase(text).source).join("|")})$`);
+
+/** What a learner does; how is told by who extends it. In another language, `words` gives its words for English ones. */
 class Learner extends Course {
+  constructor(playground, words = asWritten) {
+    super(playground);
+    const { page } = playground;
+    this.words = words;
+    this.solvedWord = phrase(words("Solved", "a verdict"));
+    this.onward = exactly(words("Next", "a step"), words("Finish", "a lesson"));
+    this.contents = page.getByRole("dialog", { name: words("Course") });
+    this.lesson = page.getByRole("complementary", { name: words("Lesson") });
+    this.next = this.lesson.getByRole("button", { name: this.onward });
+    playground.board = page.getByRole("grid", { name: words("Board") });
+    playground.tools = page.getByRole("toolbar", { name: words("Tools") });
+  }
+
+  /** A task is solved, and the focus is on the way on. */
+  async solved() {
+    await this.says(this.solvedWord);
+    await eventually("the focus on the way on", () => this.focused(), (name) => this.onward.test(name));
+  }
+
   /** Solves the task of a step; before that, tries what does not, where there is a second try. */
   async takes(step, { solved, refused }, isCareful) {
     await this.stands();
@@ -49,7 +74,7 @@ class Learner extends Course {
 
   /** The task is not solved. */
   async stands() {
-    assert.doesNotMatch(await this.lesson.innerText(), /\bSolved\b/);
+    assert.doesNotMatch(await this.lesson.innerText(), this.solvedWord);
   }
 
   /** Takes back all that was done, where something can be taken back. */
@@ -79,14 +104,24 @@ class Learner extends Course {
     } else if (did.choose !== undefined) {
       await this.answers(did.choose);
     } else {
-      await this.guesses(step.task, did.guess);
+      await this.guesses(step, did.guess);
     }
   }
 
-  async guesses(task, guess) {
+  /** Says a value: picks it, presses its cell, or types it. */
+  async guesses({ task, scene }, guess) {
     const place = (task.answers ?? []).findIndex((answer) => JSON.stringify(answer.value) === JSON.stringify(guess));
     if (place >= 0) {
       return this.answers(place);
+    }
+    if (Array.isArray(guess)) {
+      return this.presses(guess);
+    }
+    if (typeof guess === "string") {
+      return this.answers(scene.agents.findIndex((agent) => agent.name === guess));
+    }
+    if (typeof guess === "object") {
+      return this.answers(guess.rule);
     }
     await this.lesson.getByRole("textbox").focus();
     await this.page.keyboard.type(String(guess));
@@ -151,10 +186,11 @@ class Learner extends Course {
 export class ByKeys extends Learner {
   /** Opens the contents of the course. */
   async opens() {
-    await this.tabTo(this.playground.isPhone() ? /^More$/ : /^Course$/);
+    const course = exactly(this.words("Course"));
+    await this.tabTo(this.playground.isPhone() ? exactly(this.words("More")) : course);
     await this.playground.key("Enter");
     if (this.playground.isPhone()) {
-      await this.enter(/^Course$/);
+      await this.enter(course);
     }
   }
 
@@ -200,8 +236,8 @@ export class ByTouch extends Learner {
   #entered = 0;
 
   async opens() {
-    await this.playground.button("More").tap();
-    await this.playground.button("Course").tap();
+    await this.playground.button(this.words("More")).tap();
+    await this.playground.button(this.words("Course")).tap();
   }
 
   async enter(pattern) {
@@ -215,13 +251,13 @@ export class ByTouch extends Learner {
 
   /** The lesson may still scroll to what was said before: a tap waits until the answer stands still. */
   async answers(place) {
-    const answer = this.lesson.getByTitle(`Key ${place + 1}`, { exact: true });
+    const answer = this.lesson.getByTitle(this.words("Key {number}").replace("{number}", place + 1), { exact: true });
     await still("the answer", async () => (await answer.boundingBox())?.y);
     await answer.tap();
   }
 
   picks(tool) {
-    return this.playground.tools.getByRole("button", { name: tool, exact: true }).tap();
+    return this.playground.tools.getByRole("button", { name: this.words(tool), exact: true }).tap();
   }
 
   async presses([x, y]) {
@@ -231,17 +267,17 @@ export class ByTouch extends Learner {
 
   async goesAlong(path) {
     for (const [i, cell] of path.slice(1).entries()) {
-      await (String(cell) === String(path[i]) ? this.enter(/^Wait a step$/) : this.presses(cell));
+      await (String(cell) === String(path[i]) ? this.enter(exactly(this.words("Wait a step"))) : this.presses(cell));
     }
   }
 
   async goesTo(time) {
-    const start = this.playground.button("To start");
+    const start = this.playground.button(this.words("To start"));
     if (await start.isEnabled()) {
       await start.tap();
     }
     for (let step = 0; step < time; step += 1) {
-      await this.playground.button("Step forward").tap();
+      await this.playground.button(this.words("Step forward")).tap();
     }
   }
 }

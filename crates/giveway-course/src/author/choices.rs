@@ -36,6 +36,24 @@ pub(super) fn robots(scene: Option<&Scene>) -> Vec<Pick> {
         .collect()
 }
 
+/// The rules of the scene's own that are on, by their numbers.
+pub(super) fn rules(scene: Option<&Scene>) -> Vec<Pick> {
+    let Some(scene) = scene else {
+        return Vec::new();
+    };
+    let rules = scene.constraints.iter().enumerate();
+    let on = rules.filter(|(index, rule)| rule.in_force(*index, &scene.agents).is_some());
+    on.map(|(index, rule)| Pick::new(index.to_string(), rule.called()))
+        .collect()
+}
+
+/// All robots on the board, or none.
+pub(super) fn robots_or(scene: Option<&Scene>, none: &str) -> Vec<Pick> {
+    let mut picks = vec![Pick::new("", none)];
+    picks.extend(robots(scene));
+    picks
+}
+
 /// The planners of the textbook.
 pub(super) fn planners() -> Vec<Pick> {
     let planners = Planner::ALL.into_iter();
@@ -102,6 +120,7 @@ pub(super) fn statements() -> Vec<Pick> {
         Pick::new("solvable", tr!("a plan exists")),
         Pick::new("cost", tr!("the best plan costs")),
         Pick::new("raised", tr!("the best plan costs more than at first")),
+        Pick::new("price", tr!("a rule costs")),
         Pick::new("verdict", tr!("a question has this answer")),
         Pick::new("apart", tr!("no plan is best in both costs")),
     ]
@@ -113,6 +132,7 @@ pub(super) fn claims() -> Vec<Pick> {
     picks.extend(statements());
     picks.extend([
         Pick::new("legal", tr!("the plan breaks no rule")),
+        Pick::new("broken", tr!("the plan breaks this rule")),
         Pick::new("best", tr!("no plan is better")),
         Pick::new("beaten", tr!("another plan is better")),
     ]);
@@ -150,6 +170,12 @@ pub(super) fn quantities() -> Vec<Pick> {
         Pick::new("planner", tr!("what the plan of a planner costs")),
         Pick::new("node", tr!("what a node of CBS costs")),
         Pick::new("changed", tr!("what comes of a change")),
+        Pick::new("price", tr!("what a rule costs")),
+        Pick::new("decides", tr!("which rule leaves no plan")),
+        Pick::new("first-at", tr!("which robot is first at a cell")),
+        Pick::new("delay", tr!("how many steps a robot loses")),
+        Pick::new("loses-most", tr!("which robot loses most")),
+        Pick::new("costs-most", tr!("which robot costs the others most")),
     ]
 }
 

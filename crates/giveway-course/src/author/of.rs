@@ -69,7 +69,7 @@ fn flat(place: &str, value: &Value, words: &mut Words) {
             let cells: Vec<String> = cells.iter().map(cell).collect();
             cells.join(" ")
         }
-        ("value", Value::Array(_)) => cell(value),
+        ("value" | "cell", Value::Array(_)) => cell(value),
         (_, Value::Object(object)) => {
             for (key, value) in object {
                 let place = match place {

@@ -60,6 +60,12 @@ fn flaw(flaw: &Flaw) -> String {
         Flaw::LinkedCell(cell) | Flaw::UnknownCell(cell) => {
             return tr!("The map of this step has no cell {cell}.", cell);
         }
+        Flaw::UnknownRule(number) => {
+            return tr!(
+                "The board of this step has no rule {number} that is on.",
+                number = u64::from(*number) + 1
+            );
+        }
         Flaw::LinkedTerm(term) => return tr!("The glossary has no term \"{term}\".", term),
         Flaw::LinkedTime(time) => {
             return tr!(

@@ -4,7 +4,7 @@ use giveway_model::tr;
 
 use super::choices::{
     aims, claims, comparisons, costs, costs_or, finds, methods, objective, planners, quantities,
-    robots, statements, verdicts,
+    robots, robots_or, rules, statements, verdicts,
 };
 use super::field::Shape;
 use super::form::Form;
@@ -49,6 +49,12 @@ fn statement(form: &mut Form<'_>, at: &str, label: &'static str, picks: Vec<Pick
             form.one(&part("cost"), tr!("Cost"), costs);
             form.number(&part("by"), tr!("More by"), true);
         }
+        "price" => {
+            rule(form, &part("rule"));
+            form.one(&part("compare"), tr!("Compared"), comparisons());
+            form.number(&part("value"), tr!("Number"), true);
+        }
+        "broken" => rule(form, &part("rule")),
         "verdict" => {
             let question = tr!("Question, such as: wait A2 --at 3,1");
             form.line(&part("question"), question, Shape::Question, true);
@@ -62,6 +68,12 @@ fn statement(form: &mut Form<'_>, at: &str, label: &'static str, picks: Vec<Pick
         }
         _ => {}
     }
+}
+
+/// A rule of the scene's own.
+fn rule(form: &mut Form<'_>, name: &str) {
+    let rules = Input::One(rules(form.scene));
+    form.add(name, tr!("Rule"), rules, Shape::Number, true);
 }
 
 fn lead(form: &mut Form<'_>) {
@@ -122,6 +134,14 @@ fn quantity(form: &mut Form<'_>) {
             }
             form.one("task.what.cost", tr!("Cost"), costs());
         }
+        "price" => rule(form, "task.what.rule"),
+        "first-at" => form.line("task.what.cell", tr!("Cell"), Shape::Cell, true),
+        "delay" => {
+            robot(form);
+            let all = tr!("anybody: all that it loses");
+            let others = robots_or(form.scene, all);
+            form.one("task.what.because", tr!("Because of"), others);
+        }
         "node" => form.number(
             "task.what.number",
             tr!("Number of the node, 0 is the root"),
@@ -144,10 +164,11 @@ fn guess(form: &mut Form<'_>, at: &str) {
         .map_or("cost", String::as_str);
     let value = format!("{at}.value");
     match what {
-        "waits" => {
+        "waits" | "first-at" | "loses-most" | "costs-most" => {
             let robots = robots(form.scene);
             form.one(&value, tr!("Robot"), robots);
         }
+        "decides" => rule(form, &format!("{value}.rule")),
         "place" | "first-waypoint" => form.line(&value, tr!("Cell"), Shape::Cell, true),
         _ => form.number(&value, tr!("Number"), true),
     }

@@ -1,9 +1,10 @@
 //! The requests of the judges, each with a budget that a learner would wait for.
 
 use giveway_model::change::Changes;
-use giveway_model::{Objective, Plan, Question, Scene};
+use giveway_model::{Grid, Objective, Plan, Question, Scene};
 use giveway_solve::audit::AuditRequest;
 use giveway_solve::change::{ChangeRequest, Method};
+use giveway_solve::delays::DelaysRequest;
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::freedom::{FreedomPart, FreedomRequest};
 use giveway_solve::plan::{PlanRequest, Planner};
@@ -32,11 +33,24 @@ pub(crate) fn solve(scene: &Scene, objective: Option<&Objective>) -> Request {
     })
 }
 
+/// The best plan of a scene without one of its own rules, by its number.
+pub(super) fn without(scene: &Scene, rule: u32) -> Request {
+    let mut without = scene.clone();
+    if let Some(rule) = without.constraints.get_mut(rule as usize) {
+        rule.off = true;
+    }
+    solve(&without, None)
+}
+
 /// The best plan of one robot of a scene alone, by its index.
 pub(super) fn alone(scene: &Scene, index: usize) -> Request {
     let mut alone = scene.clone();
     let agent = alone.agents.get(index).cloned();
     alone.agents = agent.into_iter().collect();
+    // Rules about others go with them.
+    if let Ok(grid) = Grid::from_rows(&alone.map) {
+        alone.settle_rules(&grid);
+    }
     solve(&alone, None)
 }
 
@@ -95,6 +109,17 @@ pub(super) fn planner(scene: &Scene, planner: Planner, order: Option<Vec<String>
         trace: planner == Planner::Cbs,
         limits: limits(),
         ..PlanRequest::new(scene.clone(), planner)
+    })
+}
+
+/// Who costs whom in a plan.
+pub(super) fn delays(scene: &Scene, plan: &Plan) -> Request {
+    Request::Delays(DelaysRequest {
+        scene: scene.clone(),
+        plan: Some(plan.clone()),
+        ledger_only: true,
+        limits: limits(),
+        ..DelaysRequest::default()
     })
 }
 

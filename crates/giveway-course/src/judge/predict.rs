@@ -8,14 +8,14 @@ use giveway_solve::plan::{PlanAnswer, Planner, Went};
 use giveway_solve::{Request, Response, Status};
 
 use super::proved::{self, Proved};
-use super::{Judging, Situation, Verdict, Why, ask};
+use super::{Judging, Situation, Verdict, Why, ask, ledger, rules};
 use crate::lesson::task::Predict;
 use crate::lesson::{Quantity, Value};
 use crate::port::Evidence;
 
 pub(super) fn begin(task: &Predict, situation: Situation<'_>) -> Judging {
-    match request(&task.what, situation) {
-        Ok(request) => Judging::Ask(vec![request]),
+    match requests(&task.what, situation) {
+        Ok(requests) => Judging::Ask(requests),
         Err(why) => Verdict::not_yet(why).into(),
     }
 }
@@ -26,7 +26,7 @@ pub(super) fn conclude(
     guess: &Value,
     responses: &[Response],
 ) -> Verdict {
-    match truth(&task.what, situation.scene, responses.first()) {
+    match truth(&task.what, situation.scene, responses) {
         Ok((truth, evidence)) => {
             let answer = task.answers.iter().position(|other| other.value == *guess);
             let why = Why::Guessed {
@@ -42,15 +42,15 @@ pub(super) fn conclude(
 
 /// The answer for somebody who did not want to say one.
 pub(super) fn reveal(task: &Predict, situation: Situation<'_>, responses: &[Response]) -> Verdict {
-    match truth(&task.what, situation.scene, responses.first()) {
+    match truth(&task.what, situation.scene, responses) {
         Ok((truth, evidence)) => Verdict::not_yet(Why::Revealed(truth)).with(evidence),
         Err(why) => Verdict::not_yet(why),
     }
 }
 
-fn request(what: &Quantity, situation: Situation<'_>) -> Result<Request, Why> {
+fn requests(what: &Quantity, situation: Situation<'_>) -> Result<Vec<Request>, Why> {
     let scene = situation.scene;
-    Ok(match what {
+    let request = match what {
         Quantity::Cost { .. } => ask::solve(scene, None),
         Quantity::Arrival { .. }
         | Quantity::Place { .. }
@@ -69,12 +69,21 @@ fn request(what: &Quantity, situation: Situation<'_>) -> Result<Request, Why> {
             Some(plan) => ask::change(scene, plan, changes, *method),
             None => return Err(Why::Untouched),
         },
-    })
+        Quantity::Price { rule } => return Ok(rules::ask_price(scene, *rule)),
+        Quantity::Decides {} => return Ok(rules::ask_deciding(scene)),
+        Quantity::FirstAt { cell } => return Ok(rules::ask_first(scene, *cell)),
+        Quantity::Delay { .. } | Quantity::LosesMost {} | Quantity::CostsMost {} => {
+            return ledger::ask(situation);
+        }
+    };
+    Ok(vec![request])
 }
 
-type Truth = Result<(Value, Evidence), Why>;
+/// The right value, with what shows it; else why there is none.
+pub(super) type Truth = Result<(Value, Evidence), Why>;
 
-fn truth(what: &Quantity, scene: &Scene, response: Option<&Response>) -> Truth {
+fn truth(what: &Quantity, scene: &Scene, responses: &[Response]) -> Truth {
+    let response = responses.first();
     match what {
         Quantity::Cost { cost } => match proved::solved(response)? {
             Proved::Best(costs, plan) => Ok((number(costs.get(*cost)), proved::best_plan(plan))),
@@ -140,6 +149,15 @@ fn truth(what: &Quantity, scene: &Scene, response: Option<&Response>) -> Truth {
             };
             Ok((number(value), evidence))
         }
+        Quantity::Price { rule } => {
+            let price = rules::price(scene, *rule, responses)?;
+            Ok((number(price.steps), price.evidence))
+        }
+        Quantity::Decides {} => rules::deciding(scene, responses),
+        Quantity::FirstAt { .. } => rules::first(scene, responses),
+        Quantity::Delay { robot, because } => ledger::delay(robot, because.as_deref(), responses),
+        Quantity::LosesMost {} => ledger::loses_most(responses),
+        Quantity::CostsMost {} => ledger::costs_most(responses),
     }
 }
 

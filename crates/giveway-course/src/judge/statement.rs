@@ -1,11 +1,12 @@
 //! Whether a statement holds: what must be asked, and what the answers say.
 
+use giveway_model::check::Violation;
 use giveway_model::{Cost, Objective};
 use giveway_solve::audit::{AuditAnswer, AuditStatus};
 use giveway_solve::{Request, Response, Status, explain};
 
 use super::proved::{self, Proved};
-use super::{Situation, Why, ask};
+use super::{Situation, Why, ask, rules};
 use crate::lesson::Statement;
 use crate::port::Evidence;
 
@@ -67,7 +68,11 @@ pub(crate) fn requests(
             Ok(objective) => vec![ask::front(scene, objective)],
             Err(error) => return Err(Why::Refused(error.to_string())),
         },
-        Statement::Legal {} | Statement::Best {} | Statement::Beaten {} => match &step.plan {
+        Statement::Price { rule, .. } => rules::ask_price(scene, *rule),
+        Statement::Legal {}
+        | Statement::Broken { .. }
+        | Statement::Best {}
+        | Statement::Beaten {} => match &step.plan {
             Some(plan) => vec![ask::audit(scene, plan)],
             None => return Err(Why::Untouched),
         },
@@ -103,7 +108,19 @@ pub(crate) fn decide(
         Statement::Raised { cost, by } => raised(*cost, *by, responses),
         Statement::Verdict { verdict, .. } => answered(*verdict, responses.first()),
         Statement::Apart { costs } => apart(*costs, responses.first()),
+        Statement::Price {
+            rule,
+            compare,
+            value,
+        } => rules::price(situation.scene, *rule, responses).map(|price| {
+            Outcome::of(
+                compare.holds(price.steps, *value),
+                price.why,
+                price.evidence,
+            )
+        }),
         Statement::Legal {} => legal(responses.first()),
+        Statement::Broken { rule } => broken(*rule, responses.first()),
         Statement::Best {} => best_of_all(responses.first(), true),
         Statement::Beaten {} => best_of_all(responses.first(), false),
     };
@@ -232,6 +249,28 @@ fn legal(response: Option<&Response>) -> Result<Outcome, Why> {
     Ok(match audit(response)? {
         Ok(audit) => Outcome::of(audit.legal, Why::Legal, Evidence::default()),
         Err(broken) => broken,
+    })
+}
+
+/// Whether a plan breaks a rule of the scene's own.
+fn broken(rule: u32, response: Option<&Response>) -> Result<Outcome, Why> {
+    let Some(Response::Audited(audit)) = response else {
+        return Err(proved::unexpected(response));
+    };
+    let is_it = |violation: &&Violation| {
+        let broken = violation.broken.as_ref();
+        broken.is_some_and(|broken| broken.index == rule)
+    };
+    Ok(match audit.violations.iter().find(is_it) {
+        None => Outcome::of(false, Why::Keeps { rule }, Evidence::default()),
+        Some(violation) => {
+            let evidence = Evidence {
+                time: Some(violation.time),
+                violations: vec![violation.clone()],
+                ..Evidence::default()
+            };
+            Outcome::of(true, Why::Broken(violation.clone()), evidence)
+        }
     })
 }
 

@@ -82,6 +82,18 @@ pub enum Why {
         /// By how much it should be more.
         by: u32,
     },
+    /// What a rule of the scene's own costs: the first cost of the best plan with it, and
+    /// of the best one without it.
+    Price {
+        /// The rule, by its number in the scene, from 0.
+        rule: u32,
+        /// The cost.
+        cost: Cost,
+        /// How much of it with the rule.
+        with: u32,
+        /// How much of it without the rule.
+        without: u32,
+    },
     /// The answer to a question.
     Answered {
         /// What it is.
@@ -101,6 +113,11 @@ pub enum Why {
     Broken(Violation),
     /// The plan breaks no rule.
     Legal,
+    /// The plan does not break this rule of the scene's own, by its number from 0.
+    Keeps {
+        /// The rule.
+        rule: u32,
+    },
     /// The plan costs the least.
     Best {
         /// Its first cost.
@@ -146,6 +163,9 @@ pub enum Why {
     Revealed(Value),
     /// Best plans differ in what was asked for.
     Differs,
+    /// What was asked for has not one answer: several robots or rules are alike in it, or
+    /// it is no whole number.
+    Unclear,
 
     /// So many conflicts are found.
     Found {

@@ -225,7 +225,10 @@ impl Open {
         let hand = match &step.task {
             Some(Task::Lead(task)) => Hand::Leads(task.robots.clone()),
             Some(Task::Spot(_)) => Hand::Points,
-            Some(Task::Predict(task)) if task.what.kind() != ValueKind::Number => Hand::Points,
+            Some(Task::Predict(task)) => match task.what.kind() {
+                ValueKind::Robot | ValueKind::Cell => Hand::Points,
+                ValueKind::Number | ValueKind::Rule => Hand::Looks,
+            },
             _ => Hand::Looks,
         };
         Some(Board {

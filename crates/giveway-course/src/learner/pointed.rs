@@ -35,7 +35,7 @@ fn predicted(task: &Predict, pick: &Pick) -> Pointed {
         (ValueKind::Cell, _) => Value::Cell(pick.cell),
         (ValueKind::Robot, Some(name)) => Value::Robot(name.clone()),
         (ValueKind::Robot, None) => return Pointed::Nothing(nobody(pick)),
-        (ValueKind::Number, _) => return Pointed::Part,
+        (ValueKind::Number | ValueKind::Rule, _) => return Pointed::Part,
     };
     let is_listed = task.answers.iter().any(|guess| guess.value == value);
     if task.answers.is_empty() || is_listed {
@@ -43,7 +43,7 @@ fn predicted(task: &Predict, pick: &Pick) -> Pointed {
     }
     let what = match value {
         Value::Robot(name) => name,
-        Value::Number(_) | Value::Cell(_) => pick.cell.to_string(),
+        Value::Number(_) | Value::Cell(_) | Value::Rule { .. } => pick.cell.to_string(),
     };
     Pointed::Nothing(tr!("{what} is not one of the answers.", what))
 }

@@ -7,7 +7,8 @@ use giveway_model::change::Changes;
 use giveway_model::{Cell, Cost, tr};
 use giveway_solve::change::Method;
 use giveway_solve::plan::Planner;
-use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 /// Something to predict. It has one right value: what plans differ in is none.
@@ -78,6 +79,32 @@ pub enum Quantity {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         cost: Option<Cost>,
     },
+    /// A number: what a rule of the scene's own costs, in the first cost of the objective:
+    /// the best plan with it against the best one without it.
+    Price {
+        /// The rule, by its number in the scene, from 0.
+        rule: u32,
+    },
+    /// A rule: the only one without which there is a plan.
+    Decides {},
+    /// A robot: the one that is first at a cell in every best plan.
+    FirstAt {
+        /// The cell.
+        cell: Cell,
+    },
+    /// A number: how many steps a robot arrives later in the step's plan than alone, or
+    /// how many of these are because of another robot.
+    Delay {
+        /// The robot.
+        robot: String,
+        /// The other one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        because: Option<String>,
+    },
+    /// A robot: the one that loses most steps in the step's plan.
+    LosesMost {},
+    /// A robot: the one that costs the others most steps in the step's plan.
+    CostsMost {},
 }
 
 /// What kind of thing a value is.
@@ -89,13 +116,18 @@ pub enum ValueKind {
     Robot,
     /// A cell.
     Cell,
+    /// A rule of the scene's own.
+    Rule,
 }
 
 impl Quantity {
     /// What kind of thing its value is.
     pub const fn kind(&self) -> ValueKind {
         match self {
-            Self::Waits {} => ValueKind::Robot,
+            Self::Waits {} | Self::FirstAt { .. } | Self::LosesMost {} | Self::CostsMost {} => {
+                ValueKind::Robot
+            }
+            Self::Decides {} => ValueKind::Rule,
             Self::Place { .. } | Self::FirstWaypoint { .. } => ValueKind::Cell,
             Self::Cost { .. }
             | Self::Arrival { .. }
@@ -103,12 +135,21 @@ impl Quantity {
             | Self::Points { .. }
             | Self::Planner { .. }
             | Self::Node { .. }
-            | Self::Changed { .. } => ValueKind::Number,
+            | Self::Changed { .. }
+            | Self::Price { .. }
+            | Self::Delay { .. } => ValueKind::Number,
         }
     }
 }
 
-/// A number, a robot or a cell. As JSON: `7`, `"A1"` or `[3, 1]`.
+/// A number, a robot, a cell or a rule. As JSON: `7`, `"A1"`, `[3, 1]` or `{ "rule": 0 }`.
+///
+/// ```
+/// use giveway_course::lesson::Value;
+/// let value: Value = serde_json::from_str(r#"{ "rule": 0 }"#).unwrap();
+/// assert_eq!(value, Value::Rule { rule: 0 });
+/// assert_eq!(value.to_string(), "rule 1", "people count from 1");
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, BorshSerialize, BorshDeserialize)]
 #[serde(untagged)]
 pub enum Value {
@@ -118,6 +159,11 @@ pub enum Value {
     Robot(String),
     /// A cell.
     Cell(Cell),
+    /// A rule of the scene's own.
+    Rule {
+        /// Its number in the scene, from 0.
+        rule: u32,
+    },
 }
 
 impl Value {
@@ -127,6 +173,7 @@ impl Value {
             Self::Number(_) => ValueKind::Number,
             Self::Robot(_) => ValueKind::Robot,
             Self::Cell(_) => ValueKind::Cell,
+            Self::Rule { .. } => ValueKind::Rule,
         }
     }
 }
@@ -137,6 +184,9 @@ impl fmt::Display for Value {
             Self::Number(number) => number.fmt(f),
             Self::Robot(name) => name.fmt(f),
             Self::Cell(cell) => cell.fmt(f),
+            Self::Rule { rule } => {
+                f.write_str(&tr!("rule {number}", number = u64::from(*rule) + 1))
+            }
         }
     }
 }
@@ -149,7 +199,9 @@ impl<'de> Deserialize<'de> for Value {
             type Value = Value;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(tr!("a number, a robot's name or a cell [x, y]"))
+                f.write_str(tr!(
+                    "a number, a robot's name, a cell [x, y] or an object with the number of a rule"
+                ))
             }
 
             fn visit_u64<E: de::Error>(self, number: u64) -> Result<Value, E> {
@@ -164,6 +216,16 @@ impl<'de> Deserialize<'de> for Value {
             fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Value, A::Error> {
                 let cell = <Cell as Deserialize>::deserialize(SeqAccessDeserializer::new(list));
                 cell.map(Value::Cell)
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Value, A::Error> {
+                #[derive(Deserialize)]
+                #[serde(deny_unknown_fields)]
+                struct Rule {
+                    rule: u32,
+                }
+                let rule = Rule::deserialize(MapAccessDeserializer::new(map));
+                rule.map(|Rule { rule }| Value::Rule { rule })
             }
         }
 

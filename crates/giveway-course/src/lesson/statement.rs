@@ -54,8 +54,23 @@ pub enum Statement {
         /// The two costs.
         costs: [Cost; 2],
     },
+    /// What a rule of the scene's own costs compares so with a number, in the first cost
+    /// of the objective.
+    Price {
+        /// The rule, by its number in the scene, from 0.
+        rule: u32,
+        /// How it compares.
+        compare: Comparison,
+        /// With what.
+        value: u32,
+    },
     /// The plan on the board breaks no rule.
     Legal {},
+    /// The plan on the board breaks a rule of the scene's own, this one.
+    Broken {
+        /// The rule, by its number in the scene, from 0.
+        rule: u32,
+    },
     /// The plan on the board breaks no rule, and none is better.
     Best {},
     /// The plan on the board breaks no rule, but another one is better.

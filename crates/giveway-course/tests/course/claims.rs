@@ -7,7 +7,7 @@ use giveway_course::judge::{Did, Judging, Situation, Why, begin, conclude};
 use giveway_course::lesson::task::Predict;
 use giveway_course::lesson::{Quantity, Step, Task, Value};
 use giveway_model::check::check;
-use giveway_model::{Cost, Costs, Instance, Objective, Question, Scene};
+use giveway_model::{Cost, Costs, Grid, Instance, Objective, Question, Scene};
 use giveway_solve::explain::ExplainRequest;
 use giveway_solve::{Limits, Request, Response, SilentHost, SolveRequest, serve};
 use serde::Deserialize;
@@ -54,6 +54,8 @@ fn alone(scene: &Scene) -> Vec<u32> {
     let alone = scene.agents.iter().map(|agent| {
         let mut scene = scene.clone();
         scene.agents = vec![agent.clone()];
+        let grid = Grid::from_rows(&scene.map).unwrap();
+        scene.settle_rules(&grid);
         solved(&scene, None).makespan
     });
     alone.collect()

@@ -19,6 +19,7 @@ mod learner;
 mod noise;
 mod own;
 mod reading;
+mod rules;
 mod schema;
 mod shipped;
 mod tasks;

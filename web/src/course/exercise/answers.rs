@@ -2,16 +2,14 @@
 
 use giveway_course::judge::{Did, Verdict, Why};
 use giveway_course::learner::{Action, Judge, Open};
-use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::task::{Choose, Guess, Predict};
-use giveway_course::lesson::{Task, Text, Value};
+use giveway_course::lesson::{Task, Text};
 use giveway_model::tr;
-use web_sys::HtmlInputElement;
 use yew::prelude::*;
 
 use super::super::prose::{Reader, first_sentence};
 use super::super::tutor::{Msg, Tutor};
-use super::{hint, hints, is_answered, is_looking, judge, solved};
+use super::{free, hint, hints, is_answered, is_looking, judge, solved};
 use crate::icon;
 
 /// How an answer stands.
@@ -57,6 +55,7 @@ fn option(
 /// Something is said before it is shown.
 pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader<'_>) -> Html {
     let answered = is_answered(open);
+    let is_free = task.answers.is_empty();
     let verdict = open.judge().verdict();
     let truth = verdict.and_then(Verdict::truth);
     let guess = match open.did() {
@@ -83,12 +82,15 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
     html! {
         <section class="ask-it predicts" aria-labelledby="ex-h">
             <h3 id="ex-h">{ reader.show(&task.say) }</h3>
-            if task.answers.is_empty() {
-                { said_freely(tutor, open, task, answered, reader) }
-            } else {
+            if is_free && !answered {
+                { free::show(tutor, open, task, reader) }
+            } else if !is_free {
                 <ol class={classes!("opts", answered.then_some("done"))}>{ for task.answers.iter().enumerate().map(one) }</ol>
             }
-            <div class="judge-at" role="status">{ outcome(tutor, open, reader) }</div>
+            <div class="judge-at" role="status">
+                if is_free && answered { { free::beside(open, reader) } }
+                { outcome(tutor, open, reader) }
+            </div>
             if !answered {
                 { hints(open.hints(), reader) }
                 <p class="quiet">{ tr!("A wrong guess costs nothing.") }{ " " }
@@ -123,66 +125,21 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
             ..
         }
     );
-    // Listed answers show by themselves which is right, where one is.
-    let is_listed = match (&step.task, verdict.truth()) {
+    // Answers show by themselves which is right: those that are listed, where one is, and
+    // those that are said freely.
+    let shows_right = match (&step.task, verdict.truth()) {
         (Some(Task::Predict(task)), Some(truth)) => {
-            task.answers.iter().any(|answer| answer.value == *truth)
+            let mut answers = task.answers.iter();
+            task.answers.is_empty() || answers.any(|answer| answer.value == *truth)
         }
         _ => false,
     };
     html! {
         <div class="why">
             if verdict.is_solved() { <p class="exw">{ icon::show(tr!("an answer" => "proved")) }<b>{ tr!("a verdict" => "Solved") }</b></p> }
-            if is_reply || !is_listed || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
+            if is_reply || !shows_right || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
         </div>
-    }
-}
-
-/// A value that is typed, picked from the robots, or clicked on the board.
-fn said_freely(
-    tutor: &Tutor,
-    open: &Open,
-    task: &Predict,
-    answered: bool,
-    reader: Reader<'_>,
-) -> Html {
-    match task.what.kind() {
-        ValueKind::Number => {
-            let oninput = reader.send.reform(|event: InputEvent| {
-                let input: HtmlInputElement = event.target_unchecked_into();
-                Msg::Type(input.value())
-            });
-            let number = tutor.typed.trim().parse::<u32>().ok();
-            let send = reader.send.clone();
-            let onsubmit = move |event: SubmitEvent| {
-                event.prevent_default();
-                if let Some(number) = number {
-                    send.emit(Msg::Do(Action::Guess(Value::Number(number))));
-                }
-            };
-            html! {
-                <form class="guess" {onsubmit}>
-                    <input class="field" type="text" inputmode="numeric" autocomplete="off" aria-labelledby="ex-h"
-                        disabled={answered} value={tutor.typed.clone()} {oninput} />
-                    <button class="btn outline" disabled={answered || number.is_none()}>{ tr!("Say it") }</button>
-                    if number.is_none() && !tutor.typed.trim().is_empty() {
-                        <p class="quiet" role="status">{ tr!("Type a whole number, such as 12.") }</p>
-                    }
-                </form>
-            }
-        }
-        ValueKind::Robot => {
-            let one = |agent: &giveway_model::Agent| {
-                let value = Value::Robot(agent.name.clone());
-                let press = reader
-                    .send
-                    .reform(move |_: MouseEvent| Msg::Do(Action::Guess(value.clone())));
-                html! { <li><button type="button" class="opt" disabled={answered} onclick={press}>{ reader.robot(&agent.name) }</button></li> }
-            };
-            html! { <ul class="opts few">{ for open.scene().agents.iter().map(one) }</ul> }
-        }
-        ValueKind::Cell => html! { <p class="quiet">{ tr!("Click the cell on the board.") }</p> },
     }
 }
 

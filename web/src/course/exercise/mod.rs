@@ -2,6 +2,7 @@
 
 mod answers;
 mod change;
+mod free;
 mod judge;
 mod order;
 mod solved;

@@ -26,12 +26,16 @@ pub enum Problem {
     Unsolved,
     /// No plan exists, or none was found where a planner was asked.
     NoPlan,
+    /// A plan exists, and the task is about there being none.
+    SomePlan,
     /// The solver refuses the task, for a reason as a sentence.
     Refused(String),
     /// The right value is not among those that are offered.
     NotOffered(Value),
     /// Best plans differ in what is to be predicted.
     Differs,
+    /// What is to be predicted has not one answer.
+    Unclear,
     /// This answer, by its index, is marked right, and what it says is false.
     False(usize),
     /// This answer, by its index, is not marked right, and what it says is true.
@@ -69,6 +73,8 @@ impl Finding {
             Why::SolverFailed(sentence) => Self::Unknown(Some(sentence)),
             Why::Refused(reason) => Problem::Refused(reason).into(),
             Why::NoPlan | Why::NoWayOn(_) => Problem::NoPlan.into(),
+            Why::Unclear => Problem::Unclear.into(),
+            Why::Plan(_) => Problem::SomePlan.into(),
             Why::Differs => Problem::Differs.into(),
             Why::SomeOrderWorks(order) => Problem::SomeOrderWorks(order).into(),
             _ => Problem::Unsolved.into(),

@@ -63,6 +63,10 @@ fn problem(problem: &Problem) -> String {
             "The solver could not solve this task by itself. Press \"Try it\" and solve it once."
         ),
         Problem::NoPlan => tr!("No plan was found for this board, but the task needs one."),
+        Problem::SomePlan => {
+            tr!("This board has a plan. The task asks which rule leaves none.")
+        }
+        Problem::Unclear => tr!("This has no one answer on this board. Ask something else."),
         Problem::Differs => {
             tr!("The best plans differ in this, so there is no right answer. Ask something else.")
         }

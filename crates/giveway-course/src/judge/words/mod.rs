@@ -101,6 +101,12 @@ fn why(verdict: &Verdict) -> String {
             now,
             by,
         } => numbers::raised(*cost, *before, *now, *by, solved),
+        Why::Price {
+            rule,
+            cost,
+            with,
+            without,
+        } => numbers::price(*rule, *cost, *with, *without),
         Why::Answered { verdict, wanted } => numbers::answered(*verdict, *wanted, solved),
         Why::Points { count, costs } => {
             let [one, other] = costs.map(name);
@@ -121,6 +127,10 @@ fn of_plan(why: &Why, solved: bool) -> String {
     match why {
         Why::Broken(violation) => plain(&sentence(&violation.message)),
         Why::Legal => tr!("this plan breaks no rule.").to_owned(),
+        Why::Keeps { rule } => tr!(
+            "this plan keeps {rule}.",
+            rule = Value::Rule { rule: *rule }
+        ),
         Why::Best { cost, value: n } => {
             tr!("{cost}, and no plan is better.", cost = value(*cost, *n))
         }
@@ -164,6 +174,7 @@ fn of_answer(why: &Why, solved: bool) -> String {
         Why::Revealed(truth) => tr!("{value} is proved.", value = shown(truth)),
         Why::Untold => tr!("this is not it. Look again.").to_owned(),
         Why::Differs => tr!("best plans differ in this.").to_owned(),
+        Why::Unclear => tr!("this has no one answer here.").to_owned(),
         Why::Found { found, of } if solved => {
             tr!("{found} of {all} conflicts found.", found, all = of)
         }

@@ -5,7 +5,7 @@ use giveway_model::{Cost, tr};
 use giveway_solve::change::Method;
 use giveway_solve::explain;
 
-use crate::lesson::Comparison;
+use crate::lesson::{Comparison, Value};
 
 pub(super) fn cost(cost: Cost, n: u32, compare: Comparison, wanted: u32, solved: bool) -> String {
     let cost = value(cost, n);
@@ -46,6 +46,27 @@ pub(super) fn raised(cost: Cost, before: u32, now: u32, by: u32, solved: bool) -
             now,
             wanted = before.saturating_add(by)
         ),
+    }
+}
+
+pub(super) fn price(rule: u32, cost: Cost, with: u32, without: u32) -> String {
+    let (rule, cost) = (Value::Rule { rule }, name(cost));
+    if with == without {
+        tr!(
+            "{rule} costs nothing: the best {cost} is {with}, with it and without it.",
+            rule,
+            cost,
+            with
+        )
+    } else {
+        tr!(
+            "{rule} costs {n}: the best {cost} is {with} with it, and {without} without it.",
+            rule,
+            n = with.saturating_sub(without),
+            cost,
+            with,
+            without
+        )
     }
 }
 

@@ -33,5 +33,6 @@ pub(super) fn shown(value: &Value) -> String {
         Value::Number(number) => number.to_string(),
         Value::Robot(name) => robot(name),
         Value::Cell(at) => cell(*at),
+        Value::Rule { .. } => plain(&value.to_string()),
     }
 }

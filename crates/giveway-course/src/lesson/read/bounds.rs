@@ -26,6 +26,8 @@ pub const MAX_CELLS: usize = 4096;
 pub const MAX_TIME: u32 = 10_000;
 /// The most robots all of whose orders can be tried.
 pub const MAX_ORDERED: usize = 4;
+/// The most robots of which it is asked who is first at a cell.
+pub const MAX_FIRST: usize = 8;
 /// The most lessons of a course.
 pub const MAX_LESSONS: usize = 200;
 /// The most terms of a glossary.

@@ -78,6 +78,8 @@ pub enum Flaw {
     UnknownCell(Cell),
     /// A robot is not there.
     UnknownRobot(String),
+    /// A rule of the scene's own, by its number from 0, is not there, or not in force.
+    UnknownRule(u32),
     /// A task has no hints.
     NoHints,
     /// A task has no reason.
@@ -127,6 +129,8 @@ pub enum Things {
     Cells,
     /// Robots of a task.
     Robots,
+    /// Rules of a scene's own.
+    Rules,
     /// Answers of a task.
     Answers,
     /// Methods of a task.

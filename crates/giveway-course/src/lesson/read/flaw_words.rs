@@ -68,6 +68,10 @@ fn words(flaw: Flaw) -> (String, String) {
             let found = tr!("the robot {name}", name = format!("{name:?}"));
             return (found, tr!("a robot of the scene").to_owned());
         }
+        Flaw::UnknownRule(number) => {
+            let found = tr!("the rule number {number}, counted from 0", number);
+            return (found, tr!("a rule of the scene that is on").to_owned());
+        }
         Flaw::OtherKind(value) => {
             let expected = tr!("a value of what is asked for");
             return (format!("{value:?}"), expected.to_owned());
@@ -126,6 +130,7 @@ impl Things {
             Self::Tools => tr!("counted" => "tools"),
             Self::Cells => tr!("counted" => "cells"),
             Self::Robots => tr!("counted" => "robots"),
+            Self::Rules => tr!("counted" => "rules"),
             Self::Answers => tr!("counted" => "answers"),
             Self::Methods => tr!("counted" => "methods"),
             Self::Lessons => tr!("counted" => "lessons"),

@@ -17,8 +17,8 @@ use bounds::Faults;
 pub use flaw::{Flaw, LessonFault, Place, Things};
 
 pub use bounds::{
-    MAX_ANSWERS, MAX_BYTES, MAX_CELLS, MAX_EDITS, MAX_HINTS, MAX_LESSONS, MAX_MINUTES, MAX_ORDERED,
-    MAX_PARAGRAPHS, MAX_STEPS, MAX_TERMS, MAX_TIME, MAX_TITLE,
+    MAX_ANSWERS, MAX_BYTES, MAX_CELLS, MAX_EDITS, MAX_FIRST, MAX_HINTS, MAX_LESSONS, MAX_MINUTES,
+    MAX_ORDERED, MAX_PARAGRAPHS, MAX_STEPS, MAX_TERMS, MAX_TIME, MAX_TITLE,
 };
 
 /// Reads a lesson whose terms are those of a glossary.

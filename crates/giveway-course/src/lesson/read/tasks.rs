@@ -2,7 +2,7 @@
 
 use giveway_model::{Cost, Instance, Objective, check};
 
-use super::bounds::{Faults, MAX_ANSWERS, MAX_ORDERED};
+use super::bounds::{Faults, MAX_ANSWERS, MAX_FIRST, MAX_ORDERED};
 use super::links::Targets;
 use super::{Flaw, Things};
 use crate::lesson::task::{Change, Choose, Lead, OrderAim, Predict};
@@ -63,6 +63,7 @@ fn predict(predict: &Predict, step: &Step, targets: &Targets<'_>, faults: &mut F
             Value::Cell(cell) if !targets.has_cell(*cell) => {
                 faults.add(&value, Flaw::UnknownCell(*cell));
             }
+            Value::Rule { rule: number } => self::rule(&value, *number, targets, faults),
             Value::Cell(_) | Value::Number(_) => {}
         }
         let mut before = predict.answers.iter().take(index);
@@ -98,6 +99,31 @@ fn quantity(
             }
         }
         Quantity::Changed { .. } => planned(step, faults),
+        Quantity::Price { rule: number } => {
+            rule(&format!("{place}.rule"), *number, targets, faults);
+        }
+        Quantity::Decides {} => {
+            let rules = targets.scene.map_or(0, |scene| scene.constraints.len());
+            faults.few(&format!("{place}.is"), rules, MAX_ANSWERS, Things::Rules);
+        }
+        Quantity::FirstAt { cell } => {
+            if !targets.has_cell(*cell) {
+                faults.add(format!("{place}.cell"), Flaw::UnknownCell(*cell));
+            }
+            let robots = targets.scene.map_or(0, |scene| scene.agents.len());
+            faults.few(&format!("{place}.is"), robots, MAX_FIRST, Things::Robots);
+        }
+        Quantity::Delay {
+            robot: name,
+            because,
+        } => {
+            robot(&format!("{place}.robot"), name, targets, faults);
+            if let Some(other) = because {
+                robot(&format!("{place}.because"), other, targets, faults);
+            }
+            planned(step, faults);
+        }
+        Quantity::LosesMost {} | Quantity::CostsMost {} => planned(step, faults),
         Quantity::Waits {} | Quantity::Plans {} | Quantity::Node { .. } => {}
     }
 }
@@ -170,6 +196,13 @@ fn statement(
         } if one == other => {
             faults.add(format!("{place}.costs"), Flaw::SameCosts);
         }
+        Statement::Price { rule: number, .. } => {
+            rule(&format!("{place}.rule"), *number, targets, faults);
+        }
+        Statement::Broken { rule: number } => {
+            rule(&format!("{place}.rule"), *number, targets, faults);
+            planned(step, faults);
+        }
         Statement::Legal {} | Statement::Best {} | Statement::Beaten {} => {
             planned(step, faults);
         }
@@ -180,6 +213,21 @@ fn statement(
 fn robot(place: &str, name: &str, targets: &Targets<'_>, faults: &mut Faults) {
     if !targets.has_robot(name) {
         faults.add(place, Flaw::UnknownRobot(name.to_owned()));
+    }
+}
+
+/// A rule of the scene's own that is in force, by its number.
+fn rule(place: &str, number: u32, targets: &Targets<'_>, faults: &mut Faults) {
+    let Some(scene) = targets.scene else {
+        return;
+    };
+    let index = number as usize;
+    let rule = scene.constraints.get(index);
+    if rule
+        .and_then(|rule| rule.in_force(index, &scene.agents))
+        .is_none()
+    {
+        faults.add(place, Flaw::UnknownRule(number));
     }
 }
 
