@@ -15,6 +15,7 @@ pub use answer::{Lack, PlanAnswer, PlanEnd, PlanStats, StuckAgent};
 pub use by_hand::{
     ByHand, ConflictChoice, HandSplit, NodeChoices, SplitMade, ToldBranch, UnmadeSplit,
 };
+pub use giveway_planners::cbs::by_hand::MOST_SPLITS;
 pub use giveway_planners::planner::Planner;
 pub use request::PlanRequest;
 pub(crate) use serve::serve;

@@ -35,7 +35,8 @@ fn by_hand(scene: &str, splits: &[(u64, u32, &str)], node: u64) -> PlanRequest {
 
 /// The split of these two at a node, as it is told.
 fn split_of(answer: &PlanAnswer, pair: [&str; 2], agent: &'static str) -> (u64, u32, &'static str) {
-    let Some(Went::CbsByHand { choices, .. }) = answer.trace.as_ref().map(|trace| &trace.went) else {
+    let Some(Went::CbsByHand { choices, .. }) = answer.trace.as_ref().map(|trace| &trace.went)
+    else {
         panic!("{answer:?}");
     };
     let choices = choices.as_ref().unwrap();
@@ -62,11 +63,22 @@ fn a_plan_is_best_only_when_no_open_branch_costs_less() {
     let third = split_of(&later, ["A1", "A2"], "A2");
     let done = planned(by_hand(LANES, &[first, second, third], 0));
     assert!(matches!(done.ended, PlanEnd::Best { reach } if reach.within().is_none()));
-    let Some(Went::CbsByHand { nodes, splits, choices }) = done.trace.map(|trace| trace.went) else {
+    let Some(Went::CbsByHand {
+        nodes,
+        splits,
+        choices,
+    }) = done.trace.map(|trace| trace.went)
+    else {
         panic!();
     };
     assert_eq!((nodes.len(), splits.len(), choices), (7, 3, None));
-    assert!(matches!(nodes[2].fate, NodeFate::Best { turn: 3, bypassed: 0 }));
+    assert!(matches!(
+        nodes[2].fate,
+        NodeFate::Best {
+            turn: 3,
+            bypassed: 0
+        }
+    ));
     // The planner would have begun elsewhere.
     assert!(!splits[0].is_rule);
     let gives = |branches: &[crate::plan::ToldBranch; 2]| branches.each_ref().map(|one| one.cost);
@@ -77,23 +89,40 @@ fn a_plan_is_best_only_when_no_open_branch_costs_less() {
 #[test]
 fn what_each_split_would_give_is_told_before() {
     let root = planned(by_hand(CROSSING, &[], 0));
-    let Some(Went::CbsByHand { choices: Some(choices), .. }) = root.trace.map(|trace| trace.went) else {
+    let Some(Went::CbsByHand {
+        choices: Some(choices),
+        ..
+    }) = root.trace.map(|trace| trace.went)
+    else {
         panic!();
     };
-    assert_eq!((choices.node, choices.conflicts.len(), choices.left_out), (0, 1, 0));
+    assert_eq!(
+        (choices.node, choices.conflicts.len(), choices.left_out),
+        (0, 1, 0)
+    );
     let [of_first, of_second] = &choices.conflicts[0].branches;
-    let told = |branch: &crate::plan::ToldBranch| (words::branch(&branch.constraint), branch.cost, branch.conflicts);
+    let told = |branch: &crate::plan::ToldBranch| {
+        (
+            words::branch(&branch.constraint),
+            branch.cost,
+            branch.conflicts,
+        )
+    };
     assert_eq!(told(&of_first[0]), ("A keeps away".to_owned(), Some(5), 0));
-    assert_eq!(told(&of_second[1]), ("B is there, others keep away".to_owned(), Some(5), 0));
+    assert_eq!(
+        told(&of_second[1]),
+        ("B is there, others keep away".to_owned(), Some(5), 0)
+    );
 }
 
 #[test]
 fn a_split_of_another_tree_is_refused_by_its_place() {
-    let refused = |splits: &[(u64, u32, &str)]| {
-        match serve(&Request::Plan(by_hand(CROSSING, splits, 0)), &SilentHost) {
-            Response::Refused(refusal) => refusal.sentences().join(" "),
-            other => panic!("{other:?}"),
-        }
+    let refused = |splits: &[(u64, u32, &str)]| match serve(
+        &Request::Plan(by_hand(CROSSING, splits, 0)),
+        &SilentHost,
+    ) {
+        Response::Refused(refusal) => refusal.sentences().join(" "),
+        other => panic!("{other:?}"),
     };
     assert!(refused(&[(3, 0, "A")]).contains("by_hand.splits[0].node"));
     assert!(refused(&[(0, 1, "A")]).contains("by_hand.splits[0].conflict"));
@@ -103,7 +132,10 @@ fn a_split_of_another_tree_is_refused_by_its_place() {
         planner: Planner::Pibt,
         ..by_hand(CROSSING, &[], 0)
     };
-    assert!(matches!(serve(&Request::Plan(other), &SilentHost), Response::Refused(_)));
+    assert!(matches!(
+        serve(&Request::Plan(other), &SilentHost),
+        Response::Refused(_)
+    ));
 }
 
 #[test]
@@ -119,6 +151,8 @@ fn it_is_the_same_each_time_and_can_be_written() {
     let asked = by_hand(LANES, &[(0, 0, "A1")], 1);
     assert_eq!(planned(asked.clone()).trace, planned(asked.clone()).trace);
     let text = serde_json::to_string(&asked).unwrap();
-    assert!(text.contains(r#""by_hand":{"splits":[{"node":0,"conflict":0,"agent":"A1"}],"node":1}"#));
+    assert!(
+        text.contains(r#""by_hand":{"splits":[{"node":0,"conflict":0,"agent":"A1"}],"node":1}"#)
+    );
     assert_eq!(serde_json::from_str::<PlanRequest>(&text).unwrap(), asked);
 }
