@@ -86,9 +86,12 @@ impl Looking {
             limits: Limits {
                 seconds: Some(match self.what {
                     What::Lacam => LACAM.min(f64::from(self.seconds)),
-                    What::Tree | What::ByHand(_) | What::Order(_) | What::Orders | What::Pibt | What::Together(_) => {
-                        f64::from(self.seconds)
-                    }
+                    What::Tree
+                    | What::ByHand(_)
+                    | What::Order(_)
+                    | What::Orders
+                    | What::Pibt
+                    | What::Together(_) => f64::from(self.seconds),
                 }),
                 ..Limits::default()
             },

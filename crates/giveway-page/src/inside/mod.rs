@@ -29,9 +29,9 @@ use giveway_solve::plan::Planner;
 use giveway_solve::trace::Core;
 
 pub use action::InsideAction;
-pub use by_hand::{ByHand, HandAction};
 pub(crate) use board::place as place_of;
 pub use board::{Ban, Meeting, Overlay, Shade, overlay};
+pub use by_hand::{ByHand, HandAction};
 pub use column::{Button, Choice, Column, Fact, Listed, OrderRow, Tint, Verdict, column};
 pub use legend::{Sign, legend};
 pub(crate) use looked::{Looked, OrderRun, Told, TreeRun};
@@ -157,9 +157,7 @@ impl State {
 
     /// Whether there is something to look into: nothing else is done with the plan.
     pub fn can_look_inside(&self) -> bool {
-        let is_wanted = self
-            .lesson()
-            .is_none_or(Lesson::shows_inside);
+        let is_wanted = self.lesson().is_none_or(Lesson::shows_inside);
         self.document.mode.is_editing() && !self.is_embedded() && is_wanted
     }
 

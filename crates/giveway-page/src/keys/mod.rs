@@ -184,7 +184,11 @@ fn by_hand(key: Key<'_>, state: &State) -> Option<Action> {
     if !state.is_by_hand() {
         return None;
     }
-    let figure = key.name.parse::<usize>().ok().filter(|_| key.name.len() == 1);
+    let figure = key
+        .name
+        .parse::<usize>()
+        .ok()
+        .filter(|_| key.name.len() == 1);
     let action = match (key.name, key.ctrl, key.shift) {
         ("z" | "Z", true, false) => HandAction::TakeBack,
         ("z" | "Z", true, true) | ("y" | "Y", true, false) => HandAction::Again,

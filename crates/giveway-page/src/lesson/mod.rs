@@ -92,7 +92,12 @@ impl Lesson {
 
     /// Whether it is shown how the plan was found, or a person searches by hand.
     pub fn shows_inside(&self) -> bool {
-        self.shows(Layer::Inside) || self.shows(Layer::ByHand)
+        self.shows(Layer::Inside) || self.is_by_hand()
+    }
+
+    /// Whether a person searches by hand, though the best plan is hidden still.
+    pub fn is_by_hand(&self) -> bool {
+        self.board.show.contains(&Layer::ByHand)
     }
 
     /// Whether the plan and its timeline are hidden still.

@@ -6,9 +6,9 @@ use giveway_model::AtGoal;
 use giveway_solve::plan::{NodeFate, ToldConflict, words};
 
 use super::standing::is_open;
+use crate::board::ConflictPlace;
 use crate::inside::plan::of_node;
 use crate::inside::{TreeRun, place_of};
-use crate::board::ConflictPlace;
 use crate::{Answer, State};
 
 /// The conflict that is shown: the chosen one of an open node, that of the split of another.
@@ -42,7 +42,9 @@ pub(crate) fn marks(state: &State) -> Option<(&TreeRun, u64, Option<ConflictPlac
 /// All robots that are on the cell of the conflict, and when.
 pub(crate) fn together(state: &State, answer: &Answer) -> Option<(Vec<usize>, u32)> {
     let (cell, time) = match conflict(state)? {
-        ToldConflict::Vertex { cell, time, .. } | ToldConflict::Target { cell, time, .. } => (*cell, *time),
+        ToldConflict::Vertex { cell, time, .. } | ToldConflict::Target { cell, time, .. } => {
+            (*cell, *time)
+        }
         ToldConflict::Swap { .. } => return None,
     };
     let plan = answer.plan()?;

@@ -2,7 +2,9 @@
 //! both branches, the splits so far.
 
 use giveway_model::tr;
-use giveway_solve::plan::{MOST_SPLITS, ConflictChoice, NodeFate, ToldBranch, ToldConflict, TreeNode, words};
+use giveway_solve::plan::{
+    ConflictChoice, MOST_SPLITS, NodeFate, ToldBranch, ToldConflict, TreeNode, words,
+};
 
 use super::standing::{Standing, is_open, of};
 use super::steps::StepRow;
@@ -121,7 +123,10 @@ fn without(state: &State, why: &str) -> HandColumn {
 fn on_the_way(state: &State, run: &HandRun) -> HandColumn {
     let hand = &state.inside.by_hand;
     let node = run.tree.node(run.asked.node);
-    let choices = run.choices.as_ref().filter(|choices| choices.node == run.asked.node);
+    let choices = run
+        .choices
+        .as_ref()
+        .filter(|choices| choices.node == run.asked.node);
     let chosen = choices.and_then(|choices| choices.conflicts.get(hand.conflict));
     let rows = choices.map_or(&[][..], |choices| choices.conflicts.as_slice());
     let rows = rows.iter().enumerate();
@@ -229,7 +234,9 @@ fn branches(state: &State, choice: &ConflictChoice) -> Vec<Branch> {
         agent: index(state, words::subject(&told.constraint)),
         text: words::constraint(&told.constraint),
         small: left(told.cost, told.conflicts),
-        cost: told.cost.map_or("\u{2013}".to_owned(), |cost| cost.to_string()),
+        cost: told
+            .cost
+            .map_or("\u{2013}".to_owned(), |cost| cost.to_string()),
         is_dead: told.cost.is_none(),
     };
     own.into_iter().flatten().map(branch).collect()

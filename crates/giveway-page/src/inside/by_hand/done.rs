@@ -74,17 +74,22 @@ fn why(own: Tally, cost: u32) -> String {
     let found = own.first_plan.unwrap_or(own.nodes).saturating_sub(1) / 2;
     let more = own.splits.saturating_sub(found);
     match (found, more) {
-        (0, _) => tr!("No two robots are in each other's way: each takes its shortest way.").to_owned(),
-        (_, 0) => tr!("Your last split gave a plan, and no open branch costs less than {cost}.", cost),
+        (0, _) => {
+            tr!("No two robots are in each other's way: each takes its shortest way.").to_owned()
+        }
+        (_, 0) => tr!(
+            "Your last split gave a plan, and no open branch costs less than {cost}.",
+            cost
+        ),
         (1, more) => tr!(
             "Your first split gave a plan at once. {n} more split showed that no other branch is cheaper."
                 | "Your first split gave a plan at once. {n} more splits showed that no other branch is cheaper."
-                % more
+                    % more
         ),
         (found, more) => tr!(
             "Split {found} gave the first plan. {n} more split showed that no other branch is cheaper."
                 | "Split {found} gave the first plan. {n} more splits showed that no other branch is cheaper."
-                % more,
+                    % more,
             found
         ),
     }

@@ -3,9 +3,9 @@
 use giveway_model::tr;
 use giveway_solve::plan::{NodeFate, ToldBranch, ToldConstraint, TreeNode, words};
 
+use super::HandRun;
 use super::column::left;
 use super::standing::is_plan;
-use super::HandRun;
 use crate::State;
 use crate::inside::index;
 
@@ -60,7 +60,9 @@ pub(crate) fn sprout(state: &State, node: u64) -> Vec<Ghost> {
     let ghost = |branch: &ToldBranch| {
         let yields = yields(&branch.constraint, parties);
         Ghost {
-            cost: branch.cost.map_or("\u{2013}".to_owned(), |cost| cost.to_string()),
+            cost: branch
+                .cost
+                .map_or("\u{2013}".to_owned(), |cost| cost.to_string()),
             lines: [
                 if keeps_others_away(&branch.constraint) {
                     tr!("others give way").to_owned()
@@ -98,7 +100,9 @@ fn yields<'a>(constraint: &'a ToldConstraint, parties: &'a [String; 2]) -> &'a s
 
 const fn keeps_others_away(constraint: &ToldConstraint) -> bool {
     match constraint {
-        ToldConstraint::At { .. } | ToldConstraint::Along { .. } | ToldConstraint::ArriveBy { .. } => true,
+        ToldConstraint::At { .. }
+        | ToldConstraint::Along { .. }
+        | ToldConstraint::ArriveBy { .. } => true,
         ToldConstraint::NotAt { .. }
         | ToldConstraint::NotAlong { .. }
         | ToldConstraint::ArriveAfter { .. } => false,

@@ -22,7 +22,7 @@ pub(crate) use board::{marks, plan, together};
 pub(crate) use ghosts::{above, lines, look, sprout};
 pub(crate) use run::HandRun;
 pub(crate) use standing::{Standing, standing};
-pub use standing::{dock, status};
+pub use standing::{dock, has_splits, is_done, status};
 pub(crate) use steps::said;
 
 use super::{Method, What};

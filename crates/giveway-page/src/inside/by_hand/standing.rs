@@ -31,7 +31,8 @@ pub(crate) fn standing(state: &State) -> Option<Standing> {
 
 pub(super) fn of(run: &HandRun) -> Standing {
     let nodes = &run.tree.nodes;
-    let least = |nodes: &mut dyn Iterator<Item = &TreeNode>| nodes.filter_map(|node| node.cost).min();
+    let least =
+        |nodes: &mut dyn Iterator<Item = &TreeNode>| nodes.filter_map(|node| node.cost).min();
     let open = least(&mut nodes.iter().filter(|node| is_open(node)));
     let plan = least(&mut nodes.iter().filter(|node| is_plan(node)));
     match (plan, open) {
@@ -113,6 +114,16 @@ fn within(run: &HandRun) -> String {
         ),
         None => String::new(),
     }
+}
+
+/// Whether a plan is proved by hand.
+pub fn is_done(state: &State) -> bool {
+    matches!(standing(state), Some(Standing::Proved { .. }))
+}
+
+/// Whether there is something to take back.
+pub const fn has_splits(state: &State) -> bool {
+    !state.inside.by_hand.splits.is_empty()
 }
 
 /// What the dock says: how many nodes, and how many splits.

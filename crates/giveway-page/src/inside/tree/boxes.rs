@@ -7,7 +7,12 @@ use super::{Drawn, NodeBox};
 use crate::inside::{by_hand, index};
 
 impl Drawn<'_> {
-    pub(super) fn node_box(&self, node: &TreeNode, place: (usize, usize), has_children: bool) -> NodeBox {
+    pub(super) fn node_box(
+        &self,
+        node: &TreeNode,
+        place: (usize, usize),
+        has_children: bool,
+    ) -> NodeBox {
         let is_chosen = node.id == self.chosen;
         let own = self.by_hand.and_then(|_| by_hand::lines(node, is_chosen));
         let lines = own.unwrap_or_else(|| lines(node));
@@ -18,7 +23,9 @@ impl Drawn<'_> {
             NodeFate::Split { .. } => "split",
             NodeFate::Best { .. } => "sol",
         });
-        let yields = self.by_hand.and_then(|run| by_hand::above(self.state, run, node));
+        let yields = self
+            .by_hand
+            .and_then(|run| by_hand::above(self.state, run, node));
         let constraint = node.constraint.as_ref();
         let asks = constraint.map(|constraint| format!(", {}", words::constraint(constraint)));
         let cost = node
@@ -37,9 +44,8 @@ impl Drawn<'_> {
             at: (0.0, 0.0),
             cost,
             lines,
-            agent: yields.or_else(|| {
-                constraint.and_then(|asked| index(self.state, words::subject(asked)))
-            }),
+            agent: yields
+                .or_else(|| constraint.and_then(|asked| index(self.state, words::subject(asked)))),
             class,
             is_chosen,
             name: format!("{what}{said}{}", asks.unwrap_or_default()),

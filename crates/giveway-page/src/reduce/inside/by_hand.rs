@@ -2,11 +2,13 @@
 
 use std::rc::Rc;
 
+use giveway_course::lesson::Layer;
 use giveway_solve::plan::{HandSplit, MOST_SPLITS, NodeFate, ToldBranch, words};
 
 use super::{choose, settle, show};
 use crate::inside::by_hand::HandRun;
 use crate::inside::{ByHand, HandAction, InsideAction, Method, What};
+use crate::lesson::Lesson;
 use crate::{State, Tab, Task};
 
 #[inline(never)]
@@ -19,7 +21,9 @@ pub(super) fn hand(state: &mut State, action: HandAction) {
         }
         _ if !state.is_by_hand() => {}
         HandAction::Conflict(conflict) => {
-            let is_there = state.hand_run().is_some_and(|run| run.choice(conflict).is_some());
+            let is_there = state
+                .hand_run()
+                .is_some_and(|run| run.choice(conflict).is_some());
             if is_there {
                 look(state, |own| (own.conflict, own.robot) = (conflict, 0));
             }
@@ -47,6 +51,8 @@ pub(in crate::reduce) fn begin_in_lesson(state: &mut State) {
     by_hand(state, true);
     state.inside.by_hand.reads = true;
     state.view.tab = Tab::Inspector;
+    let shows = |lesson: &Lesson| lesson.board.show.contains(&Layer::Trails);
+    state.view.layers.trails = state.lesson().is_some_and(shows);
 }
 
 /// A person splits, or the planner's tree is shown.
@@ -77,9 +83,14 @@ fn is_planning(state: &State) -> bool {
 /// Splits are of one scene and one horizon: those of another are gone.
 pub(super) fn keep_to(state: &mut State) {
     let document = &state.document;
-    let is_same = state.inside.by_hand.of.as_ref().is_some_and(|(draft, within)| {
-        Rc::ptr_eq(draft, &document.draft) && *within == document.within
-    });
+    let is_same = state
+        .inside
+        .by_hand
+        .of
+        .as_ref()
+        .is_some_and(|(draft, within)| {
+            Rc::ptr_eq(draft, &document.draft) && *within == document.within
+        });
     if !is_same {
         let own = &state.inside.by_hand;
         state.inside.by_hand = ByHand {
@@ -93,7 +104,10 @@ pub(super) fn keep_to(state: &mut State) {
 
 /// Chooses a node.
 pub(super) fn node(state: &mut State, node: u64) {
-    if state.hand_run().is_some_and(|run| run.tree.node(node).is_some()) {
+    if state
+        .hand_run()
+        .is_some_and(|run| run.tree.node(node).is_some())
+    {
         look(state, |own| {
             if own.node != node {
                 (own.node, own.conflict, own.robot) = (node, 0, 0);

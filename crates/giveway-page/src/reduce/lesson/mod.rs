@@ -120,7 +120,7 @@ fn open(state: &mut State, board: &Rc<Board>) {
     if board.playing {
         play::begin(state);
     }
-    if state.lesson().is_some_and(|lesson| lesson.shows(Layer::ByHand)) {
+    if state.lesson().is_some_and(Lesson::is_by_hand) {
         inside::begin_in_lesson(state);
     }
 }
