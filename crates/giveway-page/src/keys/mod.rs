@@ -181,7 +181,9 @@ fn leads(name: &str, state: &State) -> Option<Lead> {
 /// What a key does in a search by hand: figures choose a conflict, Enter splits, Ctrl and Z
 /// take back.
 fn by_hand(key: Key<'_>, state: &State) -> Option<Action> {
-    if !state.is_by_hand() {
+    // Beside the text of a lesson figures pick its answers.
+    let is_read = state.lesson().is_some() && !state.covers_lesson();
+    if !state.is_by_hand() || is_read {
         return None;
     }
     let figure = key

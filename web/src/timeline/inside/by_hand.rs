@@ -7,9 +7,7 @@ use giveway_page::{Action, State, Tab, ViewAction};
 use web_sys::HtmlElement;
 use yew::prelude::*;
 
-use super::switch::{Switch, SwitchProps};
 use crate::icon;
-use crate::part::part;
 
 fn act(action: HandAction) -> Action {
     Action::Inside(InsideAction::Hand(action))
@@ -24,13 +22,16 @@ pub(super) fn who(state: &State, send: &Callback<Action>) -> Html {
     if is_early && is_on {
         return html! {};
     }
-    let names = vec![
-        (tr!("who splits" => "By hand"), None),
-        (tr!("who splits" => "Planner"), None),
-    ];
-    let choose = send.reform(|index: usize| act(HandAction::Show(index == 0)));
+    let button = |name: &'static str, on: bool| {
+        html! {
+            <button type="button" aria-pressed={(on == is_on).to_string()} onclick={send.reform(move |_| act(HandAction::Show(on)))}>{ name }</button>
+        }
+    };
     html! {
-        { part::<Switch>(SwitchProps { class: "byh", label: tr!("Who splits"), names, chosen: usize::from(!is_on), choose }) }
+        <div class="seg byh" role="group" aria-label={tr!("Who splits")}>
+            { button(tr!("who splits" => "By hand"), true) }
+            { button(tr!("who splits" => "Planner"), false) }
+        </div>
     }
 }
 

@@ -13,19 +13,19 @@ use web_sys::HtmlElement;
 use yew::prelude::*;
 
 #[derive(Clone, PartialEq, Properties)]
-pub(super) struct SwitchProps {
-    pub(super) class: &'static str,
-    pub(super) label: &'static str,
+struct SwitchProps {
+    class: &'static str,
+    label: &'static str,
     /// The names of the tabs; where one is short, what it is called aloud.
-    pub(super) names: Vec<(&'static str, Option<&'static str>)>,
+    names: Vec<(&'static str, Option<&'static str>)>,
     /// Which of them is chosen.
-    pub(super) chosen: usize,
-    pub(super) choose: Callback<usize>,
+    chosen: usize,
+    choose: Callback<usize>,
 }
 
 /// Tabs side by side: the arrow keys choose among them.
 #[component]
-pub(super) fn Switch(props: &SwitchProps) -> Html {
+fn Switch(props: &SwitchProps) -> Html {
     let SwitchProps {
         class,
         label,

@@ -5,8 +5,8 @@ use crate::board::Cast;
 use crate::inside::by_hand::{HandColumn, column as by_hand_column, dock};
 use crate::inside::{HandAction, InsideAction, tree_view};
 use crate::keys::{Command, Key, command};
-use crate::words::standing;
 use crate::words::Badge;
+use crate::words::standing;
 
 /// The first split of A1 and A3 gives a plan of 18 and a branch of 14.
 fn lanes() -> State {
@@ -41,7 +41,11 @@ fn told(state: &State) -> HandColumn {
 fn choose(state: &State, pair: [&str; 2], named: &str) -> State {
     let column = told(state);
     let mut rows = column.conflicts.iter();
-    let place = rows.position(|row| row.robots.iter().all(|(_, name)| pair.contains(&name.as_str())));
+    let place = rows.position(|row| {
+        row.robots
+            .iter()
+            .all(|(_, name)| pair.contains(&name.as_str()))
+    });
     let chosen = hand(state, [HandAction::Conflict(place.unwrap())]);
     let robots = told(&chosen).robots;
     let robot = robots.iter().position(|row| row.name == named).unwrap();
@@ -59,7 +63,10 @@ fn a_person_chooses_and_sees_both_branches_before() {
     let column = told(&state);
     assert_eq!(column.title, "Cost 13. Which conflict?");
     assert!(column.conflicts.len() > 1 && column.conflicts[0].is_on);
-    assert!(column.steps.is_empty(), "the planner's choice is not told before");
+    assert!(
+        column.steps.is_empty(),
+        "the planner's choice is not told before"
+    );
     assert_eq!(column.branches.len(), 2);
     let drawn = tree_view(&state).unwrap();
     assert_eq!((drawn.nodes.len(), drawn.ghosts.len()), (1, 2));
@@ -71,7 +78,10 @@ fn a_person_chooses_and_sees_both_branches_before() {
             "No plan yet. The cheapest open branch costs 13, so no plan costs less.".to_owned()
         )
     );
-    assert_eq!(dock(&state).unwrap(), ("1".to_owned(), "nodes, 0 splits".to_owned()));
+    assert_eq!(
+        dock(&state).unwrap(),
+        ("1".to_owned(), "nodes, 0 splits".to_owned())
+    );
 }
 
 #[test]
@@ -85,7 +95,10 @@ fn a_plan_is_found_and_proved_later() {
     let column = told(&early);
     assert_eq!(column.title, "Cost 14. Which conflict?");
     let step = &column.steps[0];
-    assert_eq!((step.cost.as_str(), step.text.as_str()), ("13", "A1 and A3 swap, on A1"));
+    assert_eq!(
+        (step.cost.as_str(), step.text.as_str()),
+        ("13", "A1 and A3 swap, on A1")
+    );
     assert_eq!(step.gave, "gave 14 and 18 without a conflict");
     assert!(step.planner.starts_with("Planner: "), "{step:?}");
     assert!(step.planner.ends_with("gives 16 and 21"), "{step:?}");
@@ -95,7 +108,10 @@ fn a_plan_is_found_and_proved_later() {
 
     let second = hand(&choose(&early, ["A1", "A2"], "A2"), [HandAction::Split]);
     let four = inside(&second, [InsideAction::Node(4)]);
-    let third = hand(&choose(&settled(&four), ["A1", "A2"], "A2"), [HandAction::Split]);
+    let third = hand(
+        &choose(&settled(&four), ["A1", "A2"], "A2"),
+        [HandAction::Split],
+    );
     assert_eq!(
         says(&third),
         (
@@ -132,7 +148,10 @@ fn what_is_taken_back_is_as_before_and_can_be_split_again() {
     let state = choose(&open(&lanes()), ["A1", "A3"], "A1");
     let split = hand(&state, [HandAction::Split]);
     let back = hand(&split, [HandAction::TakeBack]);
-    assert_eq!(tree_view(&back).unwrap().nodes, tree_view(&state).unwrap().nodes);
+    assert_eq!(
+        tree_view(&back).unwrap().nodes,
+        tree_view(&state).unwrap().nodes
+    );
     assert_eq!(told(&back).steps, []);
     let again = hand(&back, [HandAction::Again]);
     assert_eq!(tree_view(&again).unwrap(), tree_view(&split).unwrap());
@@ -141,7 +160,10 @@ fn what_is_taken_back_is_as_before_and_can_be_split_again() {
     assert_eq!(hand(&other, [HandAction::Again]), other);
     let begun = hand(&again, [HandAction::Restart]);
     assert_eq!(tree_view(&begun).unwrap().nodes.len(), 1);
-    assert_eq!(hand(&begun, [HandAction::TakeBack]).inside.by_hand.splits, []);
+    assert_eq!(
+        hand(&begun, [HandAction::TakeBack]).inside.by_hand.splits,
+        []
+    );
 }
 
 #[test]
@@ -164,9 +186,15 @@ fn keys_choose_split_and_take_back() {
     assert_eq!(told(&split).steps.len(), 1);
     let back = pressed(&split, "z", true);
     assert_eq!(told(&back).steps.len(), 0);
-    assert_eq!(back.document, state.document, "no edit of the scene is undone");
+    assert_eq!(
+        back.document, state.document,
+        "no edit of the scene is undone"
+    );
     // Without a conflict of that number nothing happens.
-    assert_eq!(pressed(&state, "9", false).inside.by_hand, state.inside.by_hand);
+    assert_eq!(
+        pressed(&state, "9", false).inside.by_hand,
+        state.inside.by_hand
+    );
 }
 
 #[test]
@@ -191,7 +219,10 @@ fn an_edit_begins_anew() {
 #[test]
 fn the_planners_tree_is_there_again() {
     let tree = settled(&inside(&lanes(), [InsideAction::By(Method::Tree)]));
-    let back = hand(&hand(&tree, [HandAction::Show(true)]), [HandAction::Show(false)]);
+    let back = hand(
+        &hand(&tree, [HandAction::Show(true)]),
+        [HandAction::Show(false)],
+    );
     assert_eq!(tree_view(&back), tree_view(&tree));
     assert!(by_hand_column(&back).is_none() && column(&back).is_some());
 }
@@ -203,5 +234,8 @@ fn a_planner_that_goes_on_does_not_keep_a_person_waiting() {
     assert_ne!(asked.work.id(), planning.work.id());
     let state = settled(&asked);
     assert_eq!(told(&state).title, "Cost 13. Which conflict?");
-    assert!(state.looked().unwrap().tree.is_none(), "it is compared at the end");
+    assert!(
+        state.looked().unwrap().tree.is_none(),
+        "it is compared at the end"
+    );
 }
