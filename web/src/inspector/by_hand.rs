@@ -61,17 +61,18 @@ fn choosing(
     choose: fn(usize) -> HandAction,
     (within, send): (&'static str, &Callback<Action>),
 ) -> Callback<KeyboardEvent> {
-    send.reform_filter(move |event: KeyboardEvent| {
+    let send = send.clone();
+    Callback::from(move |event: KeyboardEvent| {
         let action = match event.key().as_str() {
             "ArrowDown" | "ArrowRight" => choose((at + 1) % count),
             "ArrowUp" | "ArrowLeft" => choose((at + count - 1) % count),
             "Enter" if !event.repeat() => HandAction::Split,
-            _ => return None,
+            _ => return,
         };
         event.prevent_default();
         event.stop_propagation();
+        send.emit(act(action));
         keep_focus(within);
-        Some(act(action))
     })
 }
 
