@@ -8,7 +8,7 @@ import { BOTH, LOOKS, flows } from "./flow.mjs";
 import { look } from "./inside.mjs";
 import { eventually } from "./wait.mjs";
 
-/** The first split can give a plan at once; another branch is cheaper then. */
+/** The second split can give a plan; another branch is cheaper then. */
 const LANES = {
   giveway: 1,
   name: "three lanes",
@@ -41,6 +41,13 @@ class ByHand {
   /** Waits until the tree has so many nodes. */
   has(count) {
     return eventually(`${count} nodes`, () => this.nodes.count(), (n) => n === count);
+  }
+
+  /** Chooses the node of a cost, where the tree has so many nodes. */
+  async goes(cost, count) {
+    await this.shows("Tree");
+    await this.has(count);
+    await this.nodes.filter({ hasText: new RegExp(`^${cost}`) }).first().click();
   }
 
   async shows(tab) {
@@ -78,34 +85,34 @@ describe("search by hand", () => {
       await hand.opens();
       await playground.says(/^No plan yet. The cheapest open branch costs 13, so no plan costs less\.$/);
       await audit(playground, "the root");
-      await hand.splits("A1", "A3", "A1", ["14", "18"]);
-      await playground.says(/^A plan of 18 is found. A branch of 14 is still open, so it may not be the best\.$/);
+      await hand.splits("A2", "A3", "A2", ["17", "15"]);
       await hand.shows("By hand");
-      await hand.column.getByRole("heading", { name: "Cost 14. Which conflict?" }).waitFor();
-      await hand.column.getByText(/^Planner: .* gives 16 and 21$/).waitFor();
+      await hand.column.getByText("Planner: A1 runs into A2, on A2, gives 16 and 21").waitFor();
+      await hand.goes("15", 3);
+      await hand.splits("A1", "A2", "A2", ["18", "21"]);
+      await playground.says(/^A plan of 18 is found. A branch of 17 is still open, so it may not be the best\.$/);
+      await hand.goes("17", 5);
+      await hand.shows("By hand");
+      await hand.column.getByRole("heading", { name: "Cost 17. Which conflict?" }).waitFor();
       await audit(playground, "a plan that is not proved");
       await playground.picture(`by-hand-${theme}`);
       await hand.shows("Tree");
-      await hand.has(3);
       await playground.picture(`by-hand-tree-${theme}`);
 
       // What is taken back is as it was; it can be split again.
       await hand.page.getByRole("button", { name: "Take back the last split" }).click();
-      await hand.has(1);
+      await hand.has(3);
       await playground.says(/^No plan yet/);
-      await hand.splits("A1", "A3", "A1", ["14", "18"]);
-      await hand.splits("A1", "A2", "A2", ["18", "16"]);
-      await hand.shows("Tree");
-      await hand.has(5);
-      await hand.nodes.filter({ hasText: /^16/ }).click();
-      await hand.splits("A1", "A2", "A2", ["21", "18"]);
+      await hand.splits("A1", "A2", "A2", ["18", "21"]);
+      await hand.goes("17", 5);
+      await hand.splits("A1", "A3", "A1", ["18", "18"]);
       await playground.says(/^Optimal: sum of costs 18\. Found and proved by hand\.$/);
       await hand.shows("By hand");
       await hand.column.getByRole("heading", { name: "You took 7 nodes, the planner 9" }).waitFor();
       assert.deepEqual(await hand.rows(), [
         ["Nodes", "7", "9"],
         ["Splits", "3", "4"],
-        ["First plan after", "3", "7"],
+        ["First plan after", "5", "7"],
         ["Dead ends", "0", "1"],
         ["Sum of costs", "18", "18"],
       ]);
@@ -124,19 +131,19 @@ describe("search by hand", () => {
     await hand.opens();
     await hand.tree.focus();
     // A conflict by its number, the robot by the arrows, then Enter.
-    const place = await hand.conflict("A1", "A3").getAttribute("title");
+    const place = await hand.conflict("A2", "A3").getAttribute("title");
     await playground.key(place.replace("Key ", ""));
-    await hand.conflict("A1", "A3").and(hand.page.getByRole("radio", { checked: true })).waitFor();
+    await hand.conflict("A2", "A3").and(hand.page.getByRole("radio", { checked: true })).waitFor();
     const named = hand.column.getByRole("radiogroup", { name: "Split on" });
-    await named.getByRole("radio", { checked: true }).focus();
-    if (await named.getByRole("radio", { checked: true }).innerText() !== "A1") {
-      await playground.key("ArrowRight");
-    }
-    await named.getByRole("radio", { name: "A1", exact: true, checked: true }).waitFor();
+    await named.getByRole("radio", { name: "A2", exact: true, checked: true }).focus();
+    await playground.key("ArrowRight");
+    await named.getByRole("radio", { name: "A3", exact: true, checked: true }).waitFor();
+    await playground.key("ArrowRight");
+    await named.getByRole("radio", { name: "A2", exact: true, checked: true }).waitFor();
     await playground.key("Enter");
     await hand.has(3);
-    const spoken = hand.page.locator(".dock [aria-live=polite]");
-    await eventually("the split to be told", () => spoken.innerText(), (text) => /gives 14 and 18/.test(text));
+    const spoken = hand.page.locator(".dock > [aria-live=polite]");
+    await eventually("the split to be told", () => spoken.innerText(), (text) => /gives 17 and 15/.test(text));
 
     // Arrows move in the tree; Ctrl and Z takes back the split, not an edit.
     await hand.tree.focus();
@@ -169,12 +176,11 @@ describe("search by hand", () => {
     assert.equal(await lesson.isVisible(), false);
     await audit(playground, "by hand in a lesson");
     await playground.picture("by-hand-lesson");
-    await hand.splits("A1", "A3", "A1", ["14", "18"]);
-    await hand.splits("A1", "A2", "A2", ["18", "16"]);
-    await hand.shows("Tree");
-    await hand.has(5);
-    await hand.nodes.filter({ hasText: /^16/ }).click();
-    await hand.splits("A1", "A2", "A2", ["21", "18"]);
+    await hand.splits("A2", "A3", "A2", ["17", "15"]);
+    await hand.goes("15", 3);
+    await hand.splits("A1", "A2", "A2", ["18", "21"]);
+    await hand.goes("17", 5);
+    await hand.splits("A1", "A3", "A1", ["18", "18"]);
     await hand.shows("By hand");
     await hand.column.getByRole("heading", { name: "You took 7 nodes, the planner 9" }).waitFor();
     await playground.picture("by-hand-lesson-done");

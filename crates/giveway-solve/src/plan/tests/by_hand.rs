@@ -6,7 +6,7 @@ use super::{CROSSING, Planner, planned, request};
 use crate::plan::{ByHand, HandSplit, NodeFate, PlanAnswer, PlanEnd, PlanRequest, Went, words};
 use crate::{Request, Response, SilentHost, serve};
 
-/// The first split by hand gives a plan at once, and a branch that costs less.
+/// The second split by hand gives a plan, while a branch is open that costs less.
 const LANES: &str = r##"{
     "giveway": 1,
     "map": ["......", "#..##.", ".#..#.", "......"],
@@ -53,14 +53,14 @@ fn a_plan_is_best_only_when_no_open_branch_costs_less() {
     let root = planned(by_hand(LANES, &[], 0));
     assert_eq!(root.bounds, [(Cost::SumOfCosts, 13)].into());
     assert!(root.plan.is_none());
-    let first = split_of(&root, ["A1", "A3"], "A1");
-    let early = planned(by_hand(LANES, &[first], 1));
+    let first = split_of(&root, ["A2", "A3"], "A2");
+    let later = planned(by_hand(LANES, &[first], 2));
+    let second = split_of(&later, ["A1", "A2"], "A2");
+    let early = planned(by_hand(LANES, &[first, second], 1));
     assert_eq!(early.costs.map(|costs| costs.sum_of_costs), Some(18));
-    assert_eq!(early.bounds, [(Cost::SumOfCosts, 14)].into());
+    assert_eq!(early.bounds, [(Cost::SumOfCosts, 17)].into());
     assert!(matches!(early.ended, PlanEnd::Stopped { .. }), "{early:?}");
-    let second = split_of(&early, ["A1", "A2"], "A2");
-    let later = planned(by_hand(LANES, &[first, second], 4));
-    let third = split_of(&later, ["A1", "A2"], "A2");
+    let third = split_of(&early, ["A1", "A3"], "A1");
     let done = planned(by_hand(LANES, &[first, second, third], 0));
     assert!(matches!(done.ended, PlanEnd::Best { reach } if reach.within().is_none()));
     let Some(Went::CbsByHand {
@@ -73,7 +73,7 @@ fn a_plan_is_best_only_when_no_open_branch_costs_less() {
     };
     assert_eq!((nodes.len(), splits.len(), choices), (7, 3, None));
     assert!(matches!(
-        nodes[2].fate,
+        nodes[3].fate,
         NodeFate::Best {
             turn: 3,
             bypassed: 0
