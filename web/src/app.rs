@@ -141,11 +141,13 @@ pub fn App() -> Html {
     let settled = state.settled();
     let has_dock = state
         .lesson()
-        .is_none_or(|lesson| !lesson.hides_plan() && state.playing().is_some());
+        .is_none_or(|lesson| !lesson.hides_plan() && state.playing().is_some())
+        || state.is_by_hand();
+    let covers_lesson = state.covers_lesson();
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> key={built} context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), is_marking.then_some("marking"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), is_marking.then_some("marking"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), covers_lesson.then_some("covers-lesson"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
                 if is_presented {
                     { present::head(&state, &send) }
                 } else {
@@ -164,7 +166,7 @@ pub fn App() -> Html {
                 </main>
                 if is_printing && !is_reported { { sheet::head(&state) } }
                 if is_printing && is_reported { <div class="paper-report">{ report_sheet(&state) }</div> }
-                if state.lesson().is_none() && !is_presented {
+                if (state.lesson().is_none() || covers_lesson) && !is_presented {
                     { part::<Inspector>(InspectorProps { state: state.clone(), send: send.clone() }) }
                 }
                 { course.place() }
@@ -260,7 +262,7 @@ fn presents(state: &Shown) -> Option<&'static str> {
 /// A lesson in the style sheets: it may do without the lanes.
 fn lesson_class(state: &Shown) -> Option<&'static str> {
     let lesson = state.lesson()?;
-    Some(if lesson.shows(Layer::Lanes) {
+    Some(if lesson.shows(Layer::Lanes) || state.is_by_hand() {
         "in-lesson"
     } else {
         "in-lesson no-lanes"

@@ -83,7 +83,9 @@ fn wanted(event: &KeyboardEvent, state: &Shown) -> Option<Command> {
     };
     let everywhere = name == "Escape" || (key.ctrl && name == "Enter");
     let is_for_field = is_in(event, FIELDS) && !(key.ctrl && is_in(event, SWITCHES));
-    if (is_for_field && !everywhere) || (name == " " && is_in(event, PRESSED)) {
+    // Ctrl and Enter solves, wherever it is pressed.
+    let presses = name == " " || (name == "Enter" && !key.ctrl);
+    if (is_for_field && !everywhere) || (presses && is_in(event, PRESSED)) {
         return None;
     }
     command(key, state)

@@ -19,6 +19,7 @@ pub use ability::Inability;
 pub use name::{Planner, UnknownPlanner};
 pub use neighbourhoods::Improvement;
 pub use report::{Halt, Outcome, Report, Trace};
+pub use tree::{by_hand, so_far};
 
 use giveway_model::Objective;
 

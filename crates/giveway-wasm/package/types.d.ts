@@ -1215,7 +1215,14 @@ export interface PlanRequest {
   within?: number;
   /** The order of prioritised planning; who is not named comes last. By default it looks for one. */
   order?: string[];
-  /** Whether to tell how it went. */
+  /** The tree of CBS by hand, instead of the planner's own. */
+  by_hand?: {
+    /** At most 200. `conflict` is which of the node's, by time, from 0; both branches name `agent`. */
+    splits?: { node: number; conflict: number; agent: string }[];
+    /** The node of which it is told what each split would give; the root by default. */
+    node?: number;
+  };
+  /** Whether to tell how it went; a tree by hand is told in any case. */
   trace?: boolean;
   limits?: Limits;
 }
@@ -1277,6 +1284,19 @@ export type PlanTrace = { giveway: 1 } & (
     }[];
   }
   | { planner: "cbs"; nodes: TreeNode[]; left_out: number }
+  | {
+    planner: "cbs-by-hand";
+    nodes: TreeNode[];
+    /** `rule`: what the rule of the planner splits this node on. */
+    splits: { node: number; agent: string; branches: [number, number]; rule: TreeSplit; is_rule: boolean }[];
+    /** What can be split at the node that was asked about; null where that is not open. */
+    choices: {
+      node: number;
+      /** Each with the branches that name its first robot, then those that name its second one. */
+      conflicts: { conflict: TreeConflict; branches: [TreeBranches, TreeBranches] }[];
+      left_out: number;
+    } | null;
+  }
   /** `leaders`: the robot of the highest priority in each step. */
   | { planner: "pibt"; inherited: Inherited[]; leaders?: string[] }
   | {
@@ -1300,13 +1320,7 @@ export type PlanTrace = { giveway: 1 } & (
 export interface TreeNode {
   id: number;
   parent: number | null;
-  constraint: {
-    rule: "not-at" | "at" | "not-along" | "along" | "arrive-after" | "arrive-by";
-    agent: string;
-    cell?: Cell;
-    edge?: [Cell, Cell];
-    time: number;
-  } | null;
+  constraint: TreeConstraint | null;
   /** Null where a robot cannot keep its constraints. */
   cost: number | null;
   conflicts: number;
@@ -1317,15 +1331,43 @@ export interface TreeNode {
   turn?: number;
   /** How often it took the paths of a child that cost no more. */
   bypassed?: number;
-  conflict?: {
-    kind: "vertex" | "swap" | "target";
-    agents: [string, string];
-    cell?: Cell;
-    edge?: [Cell, Cell];
-    time: number;
-    /** How many of the two cannot avoid it without arriving later. */
-    delays: 0 | 1 | 2;
-  };
+  conflict?: TreeConflict;
+}
+
+/** What a robot does or does not do in a node. */
+export interface TreeConstraint {
+  rule: "not-at" | "at" | "not-along" | "along" | "arrive-after" | "arrive-by";
+  agent: string;
+  cell?: Cell;
+  edge?: [Cell, Cell];
+  time: number;
+}
+
+/** A conflict of two robots in a node. */
+export interface TreeConflict {
+  kind: "vertex" | "swap" | "target";
+  agents: [string, string];
+  cell?: Cell;
+  edge?: [Cell, Cell];
+  time: number;
+  /** How many of the two cannot avoid it without arriving later. */
+  delays: 0 | 1 | 2;
+}
+
+/** Both branches of a split; a cost of null is a dead end. */
+export type TreeBranches = [TreeBranch, TreeBranch];
+
+export interface TreeBranch {
+  constraint: TreeConstraint;
+  cost: number | null;
+  conflicts: number;
+}
+
+/** A split that is not made. */
+export interface TreeSplit {
+  conflict: TreeConflict;
+  agent: string;
+  branches: TreeBranches;
 }
 
 /** A robot lends its priority to another one, which stands where it wants to be. */

@@ -41,6 +41,10 @@ fn turn(key: &str) -> Option<HtmlElement> {
 fn answer(key: &str) -> Option<HtmlElement> {
     let figure: u8 = key.parse().ok()?;
     let place = super::place()?;
+    // Where a search by hand has its place, figures are for that.
+    if place.closest(".covers-lesson").ok().flatten().is_some() {
+        return None;
+    }
     let found = place.query_selector(&format!("[data-key='{figure}']"));
     found.ok().flatten()?.dyn_into().ok()
 }

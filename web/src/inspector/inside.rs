@@ -63,7 +63,7 @@ pub(super) fn show(column: &Column, state: &Shown, send: &Callback<Action>) -> H
     }
 }
 
-fn told(verdict: &Verdict) -> Html {
+pub(super) fn told(verdict: &Verdict) -> Html {
     let (class, icon) = verdict.tint.look();
     html! {
         <div class={classes!("verdict", class)}>
@@ -149,19 +149,21 @@ pub(super) fn foot(column: &Column, send: &Callback<Action>) -> Html {
     if column.foot.is_empty() {
         return html! {};
     }
-    let one = |button: &Button| {
-        let class = if button.is_primary {
-            "primary"
-        } else {
-            "outline"
-        };
-        let press = button.action.map(|action| act(action, send));
-        html! {
-            <button type="button" class={classes!("btn", class)} aria-disabled={button.action.is_none().then_some("true")} onclick={press}>
-                if !button.icon.is_empty() { { icon::show(button.icon) } }
-                <span>{ button.text }</span>
-            </button>
-        }
+    html! { <footer class="foot">{ for column.foot.iter().map(|one| button(one, send)) }</footer> }
+}
+
+/// A button of the foot.
+pub(super) fn button(button: &Button, send: &Callback<Action>) -> Html {
+    let class = if button.is_primary {
+        "primary"
+    } else {
+        "outline"
     };
-    html! { <footer class="foot">{ for column.foot.iter().map(one) }</footer> }
+    let press = button.action.map(|action| act(action, send));
+    html! {
+        <button type="button" class={classes!("btn", class)} aria-disabled={button.action.is_none().then_some("true")} onclick={press}>
+            if !button.icon.is_empty() { { icon::show(button.icon) } }
+            <span>{ button.text }</span>
+        </button>
+    }
 }

@@ -6,6 +6,7 @@ mod answer;
 mod area;
 mod audit;
 mod breakdown;
+mod by_hand;
 mod cell;
 mod change;
 mod coming;
@@ -37,6 +38,7 @@ use giveway_model::tr;
 use giveway_page::{Action, BoardAction, Selection, State, ask, changing, inspect};
 use yew::prelude::*;
 
+use crate::part::part;
 use crate::{Shown, icon};
 
 /// The state and where actions go.
@@ -72,6 +74,8 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
     let step = giveway_page::inside::column(state);
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
+    let hand = giveway_page::inside::by_hand::column(state);
+    let hand = hand.filter(|_| state.view.selection == Selection::Nothing);
     let losses = giveway_page::ledger::column(state);
     let losses = losses.filter(|_| state.view.selection == Selection::Nothing);
     let order = giveway_page::order::column(state);
@@ -82,7 +86,9 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     use_effect_with((state.view.selection, led), |_| to_top());
     html! {
         <aside class={classes!("insp", alone)} id="inspector" aria-label={tr!("Inspector")}>
-            if let Some(column) = step {
+            if let Some(column) = hand {
+                { part::<by_hand::Hand>(by_hand::HandProps { column, send: send.clone() }) }
+            } else if let Some(column) = step {
                 // Where no button is in it, the keyboard scrolls the place itself.
                 <div class="scroll" key={format!("inside {}", column.title)} tabindex={(!column.has_buttons()).then_some("0")}>{ inside::show(&column, state, send) }</div>
                 { inside::foot(&column, send) }

@@ -77,6 +77,8 @@ pub enum Layer {
     Table,
     /// How the plan was found and proved.
     Inside,
+    /// The conflict tree, split by hand.
+    ByHand,
     /// What all best plans share.
     Freedom,
     /// The proof that no plan is better, to be checked beside the text.

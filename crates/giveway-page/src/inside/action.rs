@@ -1,6 +1,6 @@
 //! What can happen while one looks into how the plan was found.
 
-use super::Method;
+use super::{HandAction, Method};
 
 /// What can happen there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum InsideAction {
     Step(usize),
     /// Chooses a node, by its number.
     Node(u64),
+    /// A person splits the conflict tree.
+    Hand(HandAction),
     /// Chooses an order, by its place in the list.
     Order(usize),
     /// Shows so many robots of the order.

@@ -3,7 +3,7 @@
 use giveway_model::{Cell, check, tr};
 use giveway_solve::plan::{NodeFate, ToldConflict, ToldConstraint};
 
-use super::{Method, TreeRun, crowd, index, proof, steps};
+use super::{Method, TreeRun, by_hand, crowd, index, proof, steps};
 use crate::State;
 use crate::board::{CELL, ConflictPlace, middle};
 
@@ -86,6 +86,13 @@ pub(crate) fn between([a, b]: [Cell; 2]) -> (f64, f64) {
 }
 
 fn in_tree(overlay: &mut Overlay, state: &State) {
+    if state.is_by_hand() {
+        if let Some((tree, node, place)) = by_hand::marks(state) {
+            overlay.bans = bans(state, tree, node);
+            overlay.bursts.extend(place);
+        }
+        return;
+    }
     let looked = state.looked();
     let Some(Ok(tree)) = looked.and_then(|looked| looked.tree.as_ref()) else {
         return;
@@ -93,7 +100,7 @@ fn in_tree(overlay: &mut Overlay, state: &State) {
     let Some(node) = tree.node(state.inside.node) else {
         return;
     };
-    overlay.bans = bans(state, tree);
+    overlay.bans = bans(state, tree, state.inside.node);
     match &node.fate {
         NodeFate::Split { conflict, .. } => overlay.bursts.push(place(conflict)),
         NodeFate::Open => overlay.bursts.extend(first_conflict(state)),
@@ -101,7 +108,7 @@ fn in_tree(overlay: &mut Overlay, state: &State) {
     }
 }
 
-const fn place(conflict: &ToldConflict) -> ConflictPlace {
+pub(crate) const fn place(conflict: &ToldConflict) -> ConflictPlace {
     match *conflict {
         ToldConflict::Vertex { cell, .. } | ToldConflict::Target { cell, .. } => {
             ConflictPlace::Cell(cell)
@@ -118,10 +125,10 @@ fn first_conflict(state: &State) -> Option<ConflictPlace> {
     ConflictPlace::of(report.violations.first()?)
 }
 
-/// What the nodes up to the root ask, the newest on a place above the others.
-fn bans(state: &State, tree: &TreeRun) -> Vec<Ban> {
+/// What the nodes from one up to the root ask, the newest on a place above the others.
+fn bans(state: &State, tree: &TreeRun, node: u64) -> Vec<Ban> {
     let mut bans: Vec<Ban> = Vec::new();
-    let line = tree.lineage(state.inside.node);
+    let line = tree.lineage(node);
     for constraint in line.iter().filter_map(|node| node.constraint.as_ref()) {
         let Some(mut ban) = ban(state, constraint) else {
             continue;

@@ -169,7 +169,7 @@ impl Button {
 
 /// What the column says; `None` where nothing is looked at, or nothing is known yet.
 pub fn column(state: &State) -> Option<Column> {
-    if !state.is_inside() {
+    if !state.is_inside() || state.is_by_hand() {
         return None;
     }
     let mut column = match state.inside.method {

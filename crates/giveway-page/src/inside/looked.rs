@@ -9,6 +9,7 @@ use giveway_solve::plan::{NodeFate, OrderTried, PlanAnswer, TreeNode, Went, word
 use giveway_solve::together::TogetherAnswer;
 use giveway_solve::trace::Core;
 
+use super::by_hand::HandRun;
 use super::crowd::{LacamRun, PibtRun};
 use super::looking::{Looking, What};
 use crate::{Document, Draft};
@@ -33,6 +34,8 @@ pub(crate) struct Looked {
     within: Option<u32>,
     /// The tree of CBS, or why there is none, as a sentence.
     pub(crate) tree: Option<Result<Rc<TreeRun>, String>>,
+    /// The tree of CBS by hand, or why there is none, as a sentence.
+    pub(crate) by_hand: Option<Result<Rc<HandRun>, String>>,
     /// The steps of PIBT, or why there are none, as a sentence.
     pub(crate) pibt: Option<Result<Rc<PibtRun>, String>>,
     /// The configurations of `LaCAM`, or why there are none, as a sentence.
@@ -90,6 +93,7 @@ impl Looked {
             draft: Rc::clone(&looking.draft),
             within: looking.within,
             tree: None,
+            by_hand: None,
             pibt: None,
             lacam: None,
             orders: Vec::new(),
@@ -100,15 +104,23 @@ impl Looked {
             looked.look_closer((**core).clone(), answer);
             return looked;
         }
-        let (plan, costs, told) = match answer {
-            Told::Planned(mut answer) => (answer.plan.take(), answer.costs, went(*answer)),
-            Told::Not(why) => (None, None, Err(why)),
+        let (plan, costs, ended, told) = match answer {
+            Told::Planned(mut answer) => (
+                answer.plan.take(),
+                answer.costs,
+                Some(answer.ended.clone()),
+                went(*answer),
+            ),
+            Told::Not(why) => (None, None, None, Err(why)),
             // The answer to another request.
             Told::Together(_) => return looked,
         };
         match (&looking.what, told) {
             (What::Tree, told) => {
                 looked.tree = Some(told.and_then(|(went, ended)| TreeRun::new(went, ended)));
+            }
+            (What::ByHand(asked), told) => {
+                looked.by_hand = Some(HandRun::new(asked, told, (ended.as_ref(), costs)));
             }
             (What::Pibt, told) => {
                 let run = told.and_then(|(went, ended)| PibtRun::new(went, (plan, costs), ended));
@@ -164,6 +176,7 @@ impl Looked {
     pub(crate) fn again(&self) -> Self {
         Self {
             tree: self.tree.clone().filter(Result::is_ok),
+            by_hand: self.by_hand.clone().filter(Result::is_ok),
             pibt: self.pibt.clone().filter(Result::is_ok),
             lacam: self.lacam.clone().filter(Result::is_ok),
             closer: self
@@ -192,6 +205,11 @@ impl TreeRun {
         let Went::Cbs { nodes, left_out } = went else {
             return Err(ended);
         };
+        Ok(Rc::new(Self::of(nodes, left_out, ended)))
+    }
+
+    /// The tree of some nodes; so many more are left out.
+    pub(crate) fn of(nodes: Vec<TreeNode>, left_out: u64, ended: String) -> Self {
         let mut turns = BTreeMap::new();
         let mut children: BTreeMap<u64, Vec<u64>> = BTreeMap::new();
         for node in &nodes {
@@ -202,13 +220,13 @@ impl TreeRun {
                 children.entry(parent).or_default().push(node.id);
             }
         }
-        Ok(Rc::new(Self {
+        Self {
             opened: turns.into_values().collect(),
             nodes,
             left_out,
             children,
             ended,
-        }))
+        }
     }
 
     pub(crate) fn node(&self, id: u64) -> Option<&TreeNode> {

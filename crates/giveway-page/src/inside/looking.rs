@@ -3,12 +3,12 @@
 
 use std::rc::Rc;
 
-use giveway_solve::plan::{PlanRequest, Planner};
+use giveway_solve::plan::{ByHand, PlanRequest, Planner};
 use giveway_solve::together::TogetherRequest;
 use giveway_solve::trace::Core;
 use giveway_solve::{Limits, Request};
 
-use super::{Looked, Method, proof};
+use super::{Looked, Method, by_hand, proof};
 use crate::{Draft, State};
 
 /// So many robots have few enough orders to try them all.
@@ -36,6 +36,8 @@ pub struct Looking {
 pub enum What {
     /// The tree of CBS.
     Tree,
+    /// The tree of CBS of these splits.
+    ByHand(Box<ByHand>),
     /// What comes of an order, by names.
     Order(Vec<String>),
     /// Orders until one works.
@@ -62,7 +64,7 @@ impl Looking {
                     ..TogetherRequest::about(core, scene)
                 });
             }
-            What::Tree => (Planner::Cbs, None),
+            What::Tree | What::ByHand(_) => (Planner::Cbs, None),
             What::Order(order) => (Planner::Prioritised, Some(order.clone())),
             What::Orders => (Planner::Prioritised, None),
             What::Pibt => (Planner::Pibt, None),
@@ -71,13 +73,25 @@ impl Looking {
         Request::Plan(PlanRequest {
             within: self.within,
             order,
+            by_hand: match &self.what {
+                What::ByHand(asked) => Some((**asked).clone()),
+                What::Tree
+                | What::Order(_)
+                | What::Orders
+                | What::Pibt
+                | What::Lacam
+                | What::Together(_) => None,
+            },
             trace: true,
             limits: Limits {
                 seconds: Some(match self.what {
                     What::Lacam => LACAM.min(f64::from(self.seconds)),
-                    What::Tree | What::Order(_) | What::Orders | What::Pibt | What::Together(_) => {
-                        f64::from(self.seconds)
-                    }
+                    What::Tree
+                    | What::ByHand(_)
+                    | What::Order(_)
+                    | What::Orders
+                    | What::Pibt
+                    | What::Together(_) => f64::from(self.seconds),
                 }),
                 ..Limits::default()
             },
@@ -98,6 +112,7 @@ pub(crate) fn wanted(state: &State) -> Option<Looking> {
         Method::Proof => {
             proof::unknown_core(state).map(|core| What::Together(Box::new(core.clone())))
         }
+        Method::Tree if state.inside.by_hand.is_on => by_hand::wanted(state),
         Method::Tree => {
             let is_known = looked.is_some_and(|looked| looked.tree.is_some());
             (!is_known).then_some(What::Tree)

@@ -7,6 +7,7 @@
 
 mod action;
 mod board;
+pub mod by_hand;
 mod column;
 mod crowd;
 mod legend;
@@ -23,13 +24,14 @@ mod tree;
 
 use std::rc::Rc;
 
-use giveway_course::lesson::Layer;
 use giveway_model::tr;
 use giveway_solve::plan::Planner;
 use giveway_solve::trace::Core;
 
 pub use action::InsideAction;
+pub(crate) use board::place as place_of;
 pub use board::{Ban, Meeting, Overlay, Shade, overlay};
+pub use by_hand::{ByHand, HandAction};
 pub use column::{Button, Choice, Column, Fact, Listed, OrderRow, Tint, Verdict, column};
 pub use legend::{Sign, legend};
 pub(crate) use looked::{Looked, OrderRun, Told, TreeRun};
@@ -37,13 +39,14 @@ pub(crate) use looking::wanted;
 pub use looking::{Looking, What};
 pub use nothing::{Nothing, nothing, said};
 pub use orders::{Note, Stop, notes};
-pub(crate) use plan::{conflict_time, of_configuration, of_node, of_order, of_pibt, two_on_a_cell};
+pub(crate) use plan::{conflict_time, of_configuration, of_node, of_order, of_pibt, on_one_cell};
 pub(crate) use proof::trace as record;
 pub use proof::{Chart, Dot, Kind, ProofRow, Tick, chart, rows};
 pub(crate) use steps::place;
 pub use steps::{Steps, steps};
 pub use tree::{Fold, NodeBox, TreeView, view as tree_view};
 
+use crate::lesson::Lesson;
 use crate::{Answer, State};
 
 /// A way to find a plan that can be looked into.
@@ -123,6 +126,8 @@ pub struct Inside {
     pub(crate) alone: Option<AloneView>,
     /// The node of the tree, by its number.
     pub(crate) node: u64,
+    /// The search by hand.
+    pub by_hand: ByHand,
     /// The order, by its place in the list.
     pub(crate) order: usize,
     /// How many of its robots have planned; `None`: all.
@@ -152,9 +157,7 @@ impl State {
 
     /// Whether there is something to look into: nothing else is done with the plan.
     pub fn can_look_inside(&self) -> bool {
-        let is_wanted = self
-            .lesson()
-            .is_none_or(|lesson| lesson.shows(Layer::Inside));
+        let is_wanted = self.lesson().is_none_or(Lesson::shows_inside);
         self.document.mode.is_editing() && !self.is_embedded() && is_wanted
     }
 

@@ -5,7 +5,7 @@ use giveway_model::tr;
 use giveway_solve::Status;
 use giveway_solve::plan::Planner;
 
-use super::{InsideAction, Method, column, crowd, proof};
+use super::{InsideAction, Method, by_hand, column, crowd, proof};
 use crate::planners::{By, Runs};
 use crate::{Action, SolveAction, State, Task};
 
@@ -40,6 +40,9 @@ pub fn nothing(state: &State) -> Nothing {
             None,
         ),
         Method::Proof => without_proof(state),
+        Method::Tree if is_looking && state.inside.by_hand.is_on => {
+            say(tr!("CBS plans"), tr!("Each robot by itself."), cancel())
+        }
         Method::Tree if is_looking => say(
             tr!("CBS plans"),
             tr!("Its tree comes when it is done."),
@@ -63,6 +66,9 @@ pub fn nothing(state: &State) -> Nothing {
         ),
         _ => {
             let failed = state.looked().and_then(|looked| match state.inside.method {
+                Method::Tree if state.inside.by_hand.is_on => {
+                    crowd::failed(looked.by_hand.as_ref())
+                }
                 Method::Tree => crowd::failed(looked.tree.as_ref()),
                 Method::Pibt => crowd::failed(looked.pibt.as_ref()),
                 Method::Lacam => crowd::failed(looked.lacam.as_ref()),
@@ -165,6 +171,7 @@ pub fn said(state: &State) -> String {
         Method::Proof if proof::is_running(state) && state.inside.step.is_none() => None,
         Method::Proof => proof::step_text(state),
         // A tree says its items by itself.
+        Method::Tree if state.inside.by_hand.is_on => by_hand::said(state),
         Method::Tree => None,
         Method::Orders | Method::Pibt | Method::Lacam => column::column(state).and_then(|column| {
             let verdict = column.verdict?;

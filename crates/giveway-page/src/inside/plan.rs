@@ -8,7 +8,7 @@ use giveway_solve::plan::{NodeFate, ToldConflict, words};
 use giveway_solve::{Reach, SolveAnswer, SolveRequest, Stats, Status};
 
 use super::crowd::{LacamRun, PibtRun};
-use super::{Method, OrderRun, TreeRun, index};
+use super::{Method, OrderRun, TreeRun, by_hand, index};
 use crate::{Answer, Draft, State};
 
 /// The plan of a node.
@@ -31,12 +31,15 @@ pub(crate) fn conflict_time(answer: &Answer, tree: &TreeRun, node: u64) -> u32 {
     }
 }
 
-/// The two robots that are on one cell in the conflict of the chosen node, and when;
-/// of its own plan only.
-pub(crate) fn two_on_a_cell(state: &State, answer: &Rc<Answer>) -> Option<([usize; 2], u32)> {
+/// The robots that are on one cell in the conflict of the chosen node, and when; of its own
+/// plan only.
+pub(crate) fn on_one_cell(state: &State, answer: &Rc<Answer>) -> Option<(Vec<usize>, u32)> {
     let shown = state.inside_plan()?;
     if !Rc::ptr_eq(shown, answer) || state.inside.method != Method::Tree {
         return None;
+    }
+    if state.inside.by_hand.is_on {
+        return by_hand::together(state, answer);
     }
     let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
     match &tree.node(state.inside.node)?.fate {
@@ -44,7 +47,7 @@ pub(crate) fn two_on_a_cell(state: &State, answer: &Rc<Answer>) -> Option<([usiz
             ToldConflict::Vertex { agents, time, .. }
             | ToldConflict::Target { agents, time, .. } => {
                 let [a, b] = agents;
-                Some(([index(state, a)?, index(state, b)?], *time))
+                Some((vec![index(state, a)?, index(state, b)?], *time))
             }
             ToldConflict::Swap { .. } => None,
         },
@@ -54,7 +57,7 @@ pub(crate) fn two_on_a_cell(state: &State, answer: &Rc<Answer>) -> Option<([usiz
             let (Rule::Vertex, [a, b]) = (first.rule, first.agents.as_slice()) else {
                 return None;
             };
-            Some(([index(state, a)?, index(state, b)?], first.time))
+            Some((vec![index(state, a)?, index(state, b)?], first.time))
         }
         _ => None,
     }

@@ -52,6 +52,8 @@ pub(crate) fn place(state: &State) -> Option<(usize, usize, String)> {
                 tr!("behind the number of the step" => "of {n} step" | "of {n} steps" % last_one),
             ))
         }
+        // A person goes from node to node by itself.
+        Method::Tree if inside.by_hand.is_on => None,
         Method::Tree => {
             let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
             let last = tree.opened.len();

@@ -36,6 +36,8 @@ pub const HELP: [(Later, &[Row]); 7] = [
             row(&[",", "."], tr_later!("One step back, one step forward")),
             row(&["Home", "End"], tr_later!("To the start, to the end")),
             row(&["X"], tr_later!("Change the world at the time shown")),
+            row(&["1", "9"], tr_later!("Choose a conflict (By hand)")),
+            row(&["Enter"], tr_later!("Split on it (By hand)")),
         ],
     ),
     (

@@ -10,6 +10,7 @@ use crate::audit::AuditAction;
 use crate::draw::{self, Shape};
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
+use crate::inside::{HandAction, InsideAction};
 use crate::reduce::only_looks;
 use crate::steering::Lead;
 use crate::{
@@ -67,8 +68,12 @@ pub fn command(key: Key<'_>, state: &State) -> Option<Command> {
 fn meant(key: Key<'_>, state: &State) -> Option<Command> {
     if key.ctrl {
         return of_area(key, state)
+            .or_else(|| by_hand(key, state))
             .or_else(|| with_ctrl(key))
             .map(Command::Act);
+    }
+    if let Some(action) = by_hand(key, state) {
+        return Some(Command::Act(action));
     }
     let is_presented = state.is_presented();
     let lead = leads(key.name, state).filter(|lead| !is_presented || *lead != Lead::Begin);
@@ -171,6 +176,29 @@ fn leads(name: &str, state: &State) -> Option<Lead> {
         _ => return None,
     };
     own.map(|_| lead)
+}
+
+/// What a key does in a search by hand: figures choose a conflict, Enter splits, Ctrl and Z
+/// take back.
+fn by_hand(key: Key<'_>, state: &State) -> Option<Action> {
+    // Beside the text of a lesson figures pick its answers.
+    let is_read = state.lesson().is_some() && !state.covers_lesson();
+    if !state.is_by_hand() || is_read {
+        return None;
+    }
+    let figure = key
+        .name
+        .parse::<usize>()
+        .ok()
+        .filter(|_| key.name.len() == 1);
+    let action = match (key.name, key.ctrl, key.shift) {
+        ("z" | "Z", true, false) => HandAction::TakeBack,
+        ("z" | "Z", true, true) | ("y" | "Y", true, false) => HandAction::Again,
+        ("Enter", false, false) => HandAction::Split,
+        (_, false, false) => HandAction::Conflict(figure?.checked_sub(1)?),
+        _ => return None,
+    };
+    Some(Action::Inside(InsideAction::Hand(action)))
 }
 
 /// What a key does with a part of the floor.

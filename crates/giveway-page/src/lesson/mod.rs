@@ -90,6 +90,16 @@ impl Lesson {
         self.board.show.contains(&layer) && !self.hides_plan()
     }
 
+    /// Whether it is shown how the plan was found, or a person searches by hand.
+    pub fn shows_inside(&self) -> bool {
+        self.shows(Layer::Inside) || self.is_by_hand()
+    }
+
+    /// Whether a person searches by hand, though the best plan is hidden still.
+    pub fn is_by_hand(&self) -> bool {
+        self.board.show.contains(&Layer::ByHand)
+    }
+
     /// Whether the plan and its timeline are hidden still.
     pub fn hides_plan(&self) -> bool {
         self.board.plan == BoardPlan::Hidden && !self.is_revealed
@@ -167,7 +177,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
             Some(agent) if leads(state, lesson, agent) => Fate::Happens,
             _ => Fate::Closed(tr!("You lead another robot here. Select that one first.")),
         },
-        Action::Inside(_) if lesson.shows(Layer::Inside) => Fate::Happens,
+        Action::Inside(_) if lesson.shows_inside() => Fate::Happens,
         Action::Freedom(_) if lesson.shows(Layer::Freedom) => Fate::Happens,
         Action::Solve(_)
         | Action::Edit(_)

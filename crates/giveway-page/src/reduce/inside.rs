@@ -1,16 +1,21 @@
 //! Looking into how the plan was found: opened, stepped through, told by planners.
 
+mod by_hand;
+
 use std::rc::Rc;
 
 use giveway_model::Question;
 use giveway_solve::Response;
 
 use super::{ask, play};
+use crate::inside::by_hand::plan as plan_by_hand;
 use crate::inside::{
-    InsideAction, Looked, Looking, Method, Told, conflict_time, of_configuration, of_node,
+    InsideAction, Looked, Looking, Method, Told, What, conflict_time, of_configuration, of_node,
     of_order, of_pibt, place, proof, wanted,
 };
 use crate::{PlayAction, Selection, State, Tab, Task};
+
+pub(super) use by_hand::begin_in_lesson;
 
 #[inline(never)]
 pub(super) fn inside(state: &mut State, action: InsideAction) {
@@ -21,7 +26,9 @@ pub(super) fn inside(state: &mut State, action: InsideAction) {
             state.inside.step = Some(step);
             state.inside.is_playing = false;
         }
+        InsideAction::Node(node) if state.is_by_hand() => by_hand::node(state, node),
         InsideAction::Node(node) => choose(state, |state| state.inside.node = node),
+        InsideAction::Hand(action) => by_hand::hand(state, action),
         InsideAction::Order(order) => choose(state, |state| {
             state.inside.order = order;
             state.inside.robots = None;
@@ -185,6 +192,7 @@ fn settle(state: &mut State) {
     let inside = &state.inside;
     let shown = state.looked().and_then(|looked| match inside.method {
         Method::Proof => None,
+        Method::Tree if inside.by_hand.is_on => plan_by_hand(state),
         Method::Tree => {
             let tree = looked.tree.as_ref()?.as_ref().ok()?;
             tree.node(inside.node).filter(|node| node.cost.is_some())?;
@@ -218,6 +226,9 @@ fn settle(state: &mut State) {
 
 /// Asks for what is missing, where the worker has nothing else to do.
 pub(super) fn look(state: &mut State) {
+    if state.inside.by_hand.is_on {
+        by_hand::keep_to(state);
+    }
     if let Some(looking) = wanted(state) {
         state.work.start(Task::Look(looking));
     }
@@ -254,7 +265,8 @@ fn learn(state: &mut State, looking: &Looking, answer: Told) {
         (state.inside.node, state.inside.order, state.inside.robots) = (0, 0, None);
         state.inside.moment = 0;
     }
-    if state.is_inside() && (state.inside.shown.is_none() || is_new) {
+    let is_by_hand = matches!(looking.what, What::ByHand(_));
+    if state.is_inside() && (state.inside.shown.is_none() || is_new || is_by_hand) {
         settle(state);
     }
 }

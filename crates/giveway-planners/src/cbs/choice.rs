@@ -37,7 +37,8 @@ pub(super) fn choose<'c>(
     })
 }
 
-fn cardinality(problem: &Problem, conflict: &Conflict, ways: &[Way]) -> Cardinality {
+/// How many of its agents have no walk as short without the conflict.
+pub(super) fn cardinality(problem: &Problem, conflict: &Conflict, ways: &[Way]) -> Cardinality {
     let is_stuck = |agent: AgentId| {
         let Some(way) = ways.get(agent) else {
             return false;

@@ -45,21 +45,53 @@ pub struct Conflict {
     pub kind: ConflictKind,
 }
 
+/// One of the two agents of a conflict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Party {
+    /// [`Conflict::first`].
+    First,
+    /// [`Conflict::second`].
+    Second,
+}
+
 impl Conflict {
-    /// The two constraints that split it: no plan keeps both, and each plan
-    /// without this conflict keeps one.
+    /// The two constraints that split it, as the planner does: of its first agent.
     pub(super) fn split(&self) -> [Constraint; 2] {
-        let (negative, positive) = match self.kind {
-            ConflictKind::Vertex { v, time } => (Rule::NotAt { v, time }, Rule::At { v, time }),
-            ConflictKind::Swap { arc, time } => {
+        self.split_naming(Party::First)
+    }
+
+    /// The two constraints of one of its agents that split it: no plan keeps both, and
+    /// each plan without this conflict keeps one.
+    pub(super) fn split_naming(&self, party: Party) -> [Constraint; 2] {
+        let (negative, positive) = match (self.kind, party) {
+            // Who rests at its goal comes later, or has come by then.
+            (ConflictKind::Target { time, .. }, Party::First) => {
+                (Rule::ArriveAfter(time), Rule::ArriveBy(time))
+            }
+            (ConflictKind::Vertex { v, time }, Party::First | Party::Second)
+            | (ConflictKind::Target { v, time }, Party::Second) => {
+                (Rule::NotAt { v, time }, Rule::At { v, time })
+            }
+            (ConflictKind::Swap { arc, time }, Party::First) => {
                 (Rule::NotCross { arc, time }, Rule::Cross { arc, time })
             }
-            ConflictKind::Target { time, .. } => (Rule::ArriveAfter(time), Rule::ArriveBy(time)),
+            (ConflictKind::Swap { arc, time }, Party::Second) => {
+                let arc = arc ^ 1;
+                (Rule::NotCross { arc, time }, Rule::Cross { arc, time })
+            }
         };
         [negative, positive].map(|rule| Constraint {
-            agent: self.first,
+            agent: self.agent(party),
             rule,
         })
+    }
+
+    /// One of its agents.
+    pub const fn agent(&self, party: Party) -> AgentId {
+        match party {
+            Party::First => self.first,
+            Party::Second => self.second,
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 //! al. 2019). A scene without a plan is searched for ever, or up to the budget.
 
 mod aim;
+pub mod by_hand;
 mod choice;
 mod conflict;
 mod constraint;
@@ -23,7 +24,7 @@ use std::collections::BTreeMap;
 
 pub use aim::{CbsCost, LowerBound, Proved};
 pub use choice::Cardinality;
-pub use conflict::{Conflict, ConflictKind};
+pub use conflict::{Conflict, ConflictKind, Party};
 pub use constraint::{Constraint, Rule};
 pub use trace::{Fate, Tree, TreeNode};
 

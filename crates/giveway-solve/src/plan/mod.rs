@@ -2,6 +2,7 @@
 //! for the best one, and passed by the same judge.
 
 mod answer;
+mod by_hand;
 mod request;
 mod serve;
 mod teller;
@@ -11,6 +12,10 @@ mod trace;
 pub mod words;
 
 pub use answer::{Lack, PlanAnswer, PlanEnd, PlanStats, StuckAgent};
+pub use by_hand::{
+    ByHand, ConflictChoice, HandSplit, NodeChoices, SplitMade, ToldBranch, UnmadeSplit,
+};
+pub use giveway_planners::cbs::by_hand::MOST_SPLITS;
 pub use giveway_planners::planner::Planner;
 pub use request::PlanRequest;
 pub(crate) use serve::serve;

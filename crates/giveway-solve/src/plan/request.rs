@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
-use super::Planner;
+use super::{ByHand, Planner};
 use crate::Limits;
 
 /// Find a plan with a planner of the textbook.
@@ -26,7 +26,10 @@ pub struct PlanRequest {
     /// last. By default it is found.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<Vec<String>>,
-    /// Whether to tell how it went.
+    /// The tree of CBS by hand, instead of the planner's own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by_hand: Option<ByHand>,
+    /// Whether to tell how it went; a tree by hand is told in any case.
     #[serde(default)]
     pub trace: bool,
     /// The budget; conflicts are those of SAT solvers, and limit nothing here.
@@ -43,6 +46,7 @@ impl PlanRequest {
             objective: None,
             within: None,
             order: None,
+            by_hand: None,
             trace: false,
             limits: Limits::default(),
         }

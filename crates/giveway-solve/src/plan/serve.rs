@@ -25,6 +25,13 @@ pub(crate) fn serve(request: &PlanRequest, host: &dyn Host) -> Result<PlanAnswer
         Some(objective) => instance.with_objective(objective.clone()),
         None => instance,
     };
+    if let (Some(_), planner) = (&request.by_hand, request.planner)
+        && planner != Planner::Cbs
+    {
+        let found = format!("beside the planner \"{}\"", planner.name());
+        let fault = Fault::at("by_hand", found, "the planner \"cbs\", whose tree it is");
+        return Err(Refusal::Request { fault });
+    }
     let task = PlanTask {
         request,
         order: order(request, &instance)?,
@@ -34,7 +41,10 @@ pub(crate) fn serve(request: &PlanRequest, host: &dyn Host) -> Result<PlanAnswer
         budget: Budget::new(host, request.limits),
     };
     Ok(match Problem::new(&task.instance, &task.budget) {
-        Ok(problem) => task.plan(&problem),
+        Ok(problem) => match &request.by_hand {
+            Some(by_hand) => task.by_hand(&problem, by_hand)?,
+            None => task.plan(&problem),
+        },
         Err(error) => task.answer(task.without_problem(&error)),
     })
 }
@@ -61,27 +71,19 @@ fn order(request: &PlanRequest, instance: &Instance) -> Result<Order, Refusal> {
 }
 
 /// A request that was checked.
-struct PlanTask<'a> {
-    request: &'a PlanRequest,
+pub(super) struct PlanTask<'a> {
+    pub(super) request: &'a PlanRequest,
     order: Order,
-    names: Vec<String>,
+    pub(super) names: Vec<String>,
     /// The objective as it is in force.
     objective: Objective,
     instance: Instance,
-    budget: Budget<'a>,
+    pub(super) budget: Budget<'a>,
 }
 
 impl PlanTask<'_> {
     fn plan(&self, problem: &Problem) -> PlanAnswer {
-        let grid = self.instance.grid();
-        let asked = Asked {
-            problem,
-            objective: &self.objective,
-            within: self.request.within,
-            default_horizon: problem.default_horizon(grid),
-            order: self.order.clone(),
-            traced: self.request.trace,
-        };
+        let asked = self.asked(problem);
         let mut on_better = |walks: &[Walk]| {
             if let Some((plan, costs)) = self.judge(problem, walks) {
                 self.budget.report(&Progress::Plan { costs, plan });
@@ -89,16 +91,31 @@ impl PlanTask<'_> {
         };
         let planner = self.request.planner;
         let report = planner::plan(planner, &asked, &mut on_better, &self.budget);
-        let teller = Teller {
-            problem,
-            names: &self.names,
-            unkept: self.unkept(),
-        };
+        let teller = self.teller(problem);
         let mut answer = self.answer(end(&report.outcome, &teller));
         answer.stats.steps = report.steps;
         answer.trace = report.trace.as_ref().map(|trace| teller.trace(trace));
         self.add_plan(&mut answer, problem, &report);
         answer
+    }
+
+    pub(super) fn asked<'p>(&'p self, problem: &'p Problem) -> Asked<'p> {
+        Asked {
+            problem,
+            objective: &self.objective,
+            within: self.request.within,
+            default_horizon: problem.default_horizon(self.instance.grid()),
+            order: self.order.clone(),
+            traced: self.request.trace,
+        }
+    }
+
+    pub(super) fn teller<'p>(&'p self, problem: &'p Problem) -> Teller<'p> {
+        Teller {
+            problem,
+            names: &self.names,
+            unkept: self.unkept(),
+        }
     }
 
     /// The rules of the scene's own that the planner does not keep: those between agents,
@@ -112,7 +129,7 @@ impl PlanTask<'_> {
 
     /// Adds the plan and what is proved. Never trust a planner: what the judge
     /// refuses is no plan, and shows that no claim can be made.
-    fn add_plan(&self, answer: &mut PlanAnswer, problem: &Problem, report: &Report) {
+    pub(super) fn add_plan(&self, answer: &mut PlanAnswer, problem: &Problem, report: &Report) {
         let walks = report.outcome.walks();
         let judged = walks.map(|walks| self.judge(problem, walks));
         let bound = report.outcome.bound();
@@ -140,7 +157,7 @@ impl PlanTask<'_> {
     }
 
     /// The answer without a plan.
-    fn answer(&self, ended: PlanEnd) -> PlanAnswer {
+    pub(super) fn answer(&self, ended: PlanEnd) -> PlanAnswer {
         PlanAnswer {
             giveway: Version,
             planner: self.request.planner,
@@ -178,7 +195,7 @@ fn stopped(stop: Stop) -> PlanEnd {
     }
 }
 
-fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
+pub(super) fn end(outcome: &Outcome, teller: &Teller) -> PlanEnd {
     match outcome {
         Outcome::Best { proved, .. } => PlanEnd::Best {
             reach: (*proved).into(),

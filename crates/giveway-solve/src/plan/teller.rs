@@ -118,6 +118,14 @@ impl Teller<'_> {
     }
 
     fn tree(&self, tree: &Tree) -> Went {
+        Went::Cbs {
+            nodes: self.nodes(tree),
+            left_out: tree.left_out,
+        }
+    }
+
+    /// The nodes of a constraint tree.
+    pub(super) fn nodes(&self, tree: &Tree) -> Vec<TreeNode> {
         let nodes = tree.nodes.iter().map(|node| TreeNode {
             id: node.id,
             parent: node.parent,
@@ -133,10 +141,7 @@ impl Teller<'_> {
                 .collect(),
             fate: self.fate(&node.fate),
         });
-        Went::Cbs {
-            nodes: nodes.collect(),
-            left_out: tree.left_out,
-        }
+        nodes.collect()
     }
 
     fn fate(&self, fate: &Fate) -> NodeFate {
@@ -157,7 +162,7 @@ impl Teller<'_> {
         }
     }
 
-    fn constraint(&self, Constraint { agent, rule }: Constraint) -> ToldConstraint {
+    pub(super) fn constraint(&self, Constraint { agent, rule }: Constraint) -> ToldConstraint {
         let agent = self.name(agent);
         match rule {
             Rule::NotAt { v, time } => {
@@ -181,7 +186,7 @@ impl Teller<'_> {
         }
     }
 
-    fn conflict(&self, conflict: &Conflict, cardinality: Cardinality) -> ToldConflict {
+    pub(super) fn conflict(&self, conflict: &Conflict, cardinality: Cardinality) -> ToldConflict {
         let agents = [conflict.first, conflict.second].map(|agent| self.name(agent));
         let delays = match cardinality {
             Cardinality::Cardinal => 2,

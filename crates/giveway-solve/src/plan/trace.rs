@@ -6,7 +6,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Cell, Path, Version, message::read_map};
 use serde::{Deserialize, Serialize};
 
-use super::StuckAgent;
+use super::{NodeChoices, SplitMade, StuckAgent};
 
 /// How a planner went.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -33,6 +33,15 @@ pub enum Went {
         nodes: Vec<TreeNode>,
         /// How many more there were.
         left_out: u64,
+    },
+    /// The constraint tree by hand.
+    CbsByHand {
+        /// The nodes by number: the root, then two for each split.
+        nodes: Vec<TreeNode>,
+        /// The splits, the first of them first.
+        splits: Vec<SplitMade>,
+        /// What can be split at the node that was asked about; `null` where that is not open.
+        choices: Option<NodeChoices>,
     },
     /// The time steps of PIBT.
     Pibt {

@@ -1,6 +1,7 @@
 //! How the plan was found, in the place of the lanes: the proof, the tree, the orders, the steps
 //! of planners of crowds.
 
+mod by_hand;
 mod chart;
 mod proof;
 mod switch;
@@ -11,6 +12,7 @@ use std::rc::Rc;
 use giveway_model::tr;
 use giveway_page::inside::{InsideAction, Method, notes, steps};
 use giveway_page::keys::key_name;
+use giveway_page::lesson::Lesson;
 use giveway_page::{Action, State};
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
@@ -26,6 +28,7 @@ use crate::timeline::inside::tree::TreeProps;
 use crate::timeline::plan::PlanProps;
 use crate::timeline::tabs::TabsProps;
 use crate::turning::turning;
+use by_hand::HandTabs;
 use proof::Proof;
 use switch::methods;
 pub(super) use switch::places;
@@ -56,11 +59,16 @@ pub(super) fn Inside(props: &DockProps) -> Html {
         <section class={classes!("dock", "pf", "calm", class)} aria-label={tr!("How it was proved")}>
             <div class="transport">
                 { places(state, send) }
-                { keys(state, send) }
+                if state.is_by_hand() { { by_hand::keys(state, send) } } else { { keys(state, send) } }
                 <span class="grow"></span>
-                { methods(state, send) }
+                if state.inside.method == Method::Tree { { by_hand::who(state, send) } }
+                if !state.lesson().is_some_and(Lesson::is_by_hand) { { methods(state, send) } }
             </div>
-            { part::<Tabs>(TabsProps { tab: state.view.tab, checks: false, teaches: false, inside: Some(state.inside.method), has_table: false, send: send.clone() }) }
+            if state.is_by_hand() {
+                { part::<HandTabs>(by_hand::TabsProps::of(state, send)) }
+            } else {
+                { part::<Tabs>(TabsProps { tab: state.view.tab, checks: false, teaches: false, inside: Some(state.inside.method), has_table: false, send: send.clone() }) }
+            }
             { body(props) }
             <p class="vh" aria-live="polite">{ giveway_page::inside::said(state) }</p>
         </section>

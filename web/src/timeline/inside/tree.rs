@@ -48,7 +48,9 @@ pub(super) fn Tree(props: &TreeProps) -> Html {
                 aria-activedescendant={chosen.map(|node| id(node.id))} {onkeydown}>
                 <path class="e" d={lines} role="presentation" />
                 <path class="e on" d={on} role="presentation" />
+                <path class="e gh" d={view.ghost_lines.clone()} role="presentation" />
                 { for view.nodes.iter().map(|node| node_box(node, send)) }
+                <g aria-hidden="true">{ for view.ghosts.iter().map(ghost) }</g>
                 { for view.folds.iter().map(fold) }
             </svg>
         </div>
@@ -61,15 +63,31 @@ fn id(node: u64) -> String {
 
 fn node_box(node: &NodeBox, send: &Callback<Action>) -> Html {
     let (x, y) = node.at;
-    let (width, height) = NodeBox::SIZE;
     let number = node.id;
     let choose = send.reform(move |_| Action::Inside(InsideAction::Node(number)));
-    let [first, second] = node.lines.clone();
     html! {
         <g key={number} id={id(number)} class={classes!("node", node.class, node.is_chosen.then_some("sel"))} role="treeitem"
             transform={format!("translate({x} {y})")} aria-label={node.name.clone()} aria-level={node.level.to_string()}
             aria-posinset={node.place.0.to_string()} aria-setsize={node.place.1.to_string()}
             aria-selected={node.is_chosen.to_string()} aria-expanded={node.is_expanded.map(|is| is.to_string())} onclick={choose}>
+            { content(node) }
+        </g>
+    }
+}
+
+/// A branch that a split would make.
+fn ghost(node: &NodeBox) -> Html {
+    let (x, y) = node.at;
+    html! {
+        <g class={classes!("node", node.class)} transform={format!("translate({x} {y})")}>{ content(node) }</g>
+    }
+}
+
+fn content(node: &NodeBox) -> Html {
+    let (width, height) = NodeBox::SIZE;
+    let [first, second] = node.lines.clone();
+    html! {
+        <>
             <rect class="nb" width={width.to_string()} height={height.to_string()} rx="8" />
             <text class="c" x="14" y="25">{ node.cost.clone() }</text>{ " " }
             <text class="t t1" x="44" y="16.5">{ first }</text>{ " " }
@@ -79,7 +97,7 @@ fn node_box(node: &NodeBox, send: &Callback<Action>) -> Html {
                     <circle class="cirb" r="8.5" /><g transform="scale(.24)">{ crate::form(agent) }</g>
                 </g>
             }
-        </g>
+        </>
     }
 }
 

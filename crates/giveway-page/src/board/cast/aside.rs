@@ -31,9 +31,9 @@ pub(super) fn asides(
     agents: &[Agent],
 ) -> BTreeMap<usize, Vec<Aside>> {
     let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
-    if let Some((pair, time)) = inside::two_on_a_cell(state, answer) {
-        for (place, agent) in pair.into_iter().enumerate() {
-            let (time, count) = (f64::from(time), pair.len());
+    if let Some((group, time)) = inside::on_one_cell(state, answer) {
+        let (time, count) = (f64::from(time), group.len());
+        for (place, agent) in group.into_iter().enumerate() {
             asides.insert(agent, vec![Aside { time, place, count }]);
         }
         return asides;

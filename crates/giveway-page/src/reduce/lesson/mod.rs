@@ -10,7 +10,7 @@ use giveway_course::port::{Board, BoardPlan, Deed, Evidence, ToPage};
 use giveway_model::Fault;
 
 use super::document::{amend, undo};
-use super::{play, solve, steer, step, stroke};
+use super::{inside, play, solve, steer, step, stroke};
 use crate::lesson::{Lesson, LessonAction, document, evidence};
 use crate::present::Presenting;
 use crate::rules::RuleAction;
@@ -119,6 +119,9 @@ fn open(state: &mut State, board: &Rc<Board>) {
     play::seek(state, board.time);
     if board.playing {
         play::begin(state);
+    }
+    if state.lesson().is_some_and(Lesson::is_by_hand) {
+        inside::begin_in_lesson(state);
     }
 }
 

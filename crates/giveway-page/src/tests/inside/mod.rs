@@ -1,5 +1,6 @@
 //! How the plan was found, looked into: opened, stepped through, and asked about.
 
+mod by_hand;
 mod closer;
 mod crowds;
 mod orders;

@@ -23,6 +23,8 @@ pub enum Badge {
     Adapting,
     /// Ways to go on are side by side; how many.
     Compared(u8),
+    /// The conflict tree is split by hand.
+    ByHand,
     /// An agent is led by hand.
     Steering,
     /// A plan that went on where the world changed.
@@ -66,6 +68,7 @@ impl Badge {
             Self::Compared(1) => tr!("the status in a word" => "1 answer"),
             Self::Compared(2) => tr!("the status in a word" => "2 answers"),
             Self::Compared(_) => tr!("the status in a word" => "3 answers"),
+            Self::ByHand => tr!("the status in a word" => "By hand"),
             Self::Steering => tr!("the status in a word" => "Steering"),
             Self::Adopted => tr!("the status in a word" => "Adopted"),
             Self::Proved => tr!("the status in a word" => "Proved"),
@@ -88,6 +91,7 @@ impl Badge {
             Self::Draft | Self::Changing => "change",
             Self::Shared => "share",
             Self::Compared(_) => "compare",
+            Self::ByHand => "tree",
             Self::Steering => "steer",
             Self::Adopted | Self::Legal | Self::Found => "check",
             Self::Solving
@@ -118,6 +122,7 @@ impl Badge {
             | Self::Compared(_)
             | Self::Reading
             | Self::Saving
+            | Self::ByHand
             | Self::Steering => "info",
             Self::Proved => "proved",
             Self::Legal => "fine",

@@ -9,6 +9,7 @@ use giveway_model::{AtGoal, Constraint, Rules, assumption, tr};
 use giveway_solve::explain::Part;
 
 use crate::certificate;
+use crate::inside::by_hand;
 use crate::words::{change, question, steering};
 use crate::{
     Activity, Asking, State, Task, ask, audit, freedom, grow, ledger, order, proof, sizing,
@@ -46,7 +47,7 @@ pub struct Standing {
 }
 
 impl Standing {
-    fn new(badge: Badge, sentence: String) -> Self {
+    pub(crate) fn new(badge: Badge, sentence: String) -> Self {
         let sentence = if sentence.contains(['"', '\u{201e}', '\u{201c}']) {
             crate::words::unnested(&sentence)
         } else {
@@ -85,6 +86,11 @@ pub fn standing(state: &State) -> Standing {
     }
     if let Some(looked) = sizing::looked(state) {
         return say(Badge::Found, looked);
+    }
+    if state.is_by_hand()
+        && let Some(standing) = by_hand::status(state)
+    {
+        return standing;
     }
     let of_lesson = |lesson| resting::of_lesson(lesson, state);
     if let Some(standing) = state.lesson().and_then(of_lesson) {

@@ -1,5 +1,6 @@
 //! Plans through the door: how they end, what is claimed, what is told.
 
+mod by_hand;
 mod ends;
 mod traces;
 

@@ -1,13 +1,14 @@
 //! The constraint tree from left to right: where each node stands, what it says, and
 //! which nodes are folded.
 
+mod boxes;
+
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
-use giveway_model::tr;
-use giveway_solve::plan::{NodeFate, TreeNode, words};
+use giveway_solve::plan::TreeNode;
 
-use super::{Method, TreeRun, index};
+use super::by_hand::HandRun;
+use super::{Method, TreeRun, by_hand};
 use crate::State;
 
 /// Larger trees show the path to the node that is chosen, and fold the rest.
@@ -28,6 +29,10 @@ pub struct TreeView {
     pub nodes: Vec<NodeBox>,
     /// The `d` of the lines to nodes, and of those to the chosen one.
     pub lines: [String; 2],
+    /// The branches that a split by hand would make, and the `d` of the lines to them.
+    pub ghosts: Vec<NodeBox>,
+    /// The `d` of the lines to them.
+    pub ghost_lines: String,
     /// What is folded.
     pub folds: Vec<Fold>,
     /// How wide and high all of it is.
@@ -35,7 +40,7 @@ pub struct TreeView {
 }
 
 /// A node as it is drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct NodeBox {
     /// Its number.
     pub id: u64,
@@ -80,11 +85,19 @@ pub fn view(state: &State) -> Option<TreeView> {
     if !state.is_inside() || state.inside.method != Method::Tree {
         return None;
     }
-    let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
-    let mut drawn = Drawn::new(state, tree, state.inside.node);
+    let mut drawn = if state.inside.by_hand.is_on {
+        let run = state.hand_run()?;
+        let mut drawn = Drawn::new(state, &run.tree, run.asked.node);
+        drawn.by_hand = Some(run);
+        drawn
+    } else {
+        let tree = state.looked()?.tree.as_ref()?.as_ref().ok()?;
+        Drawn::new(state, tree, state.inside.node)
+    };
     drawn.add(0, 0, (1, 1));
     let Drawn { mut view, rows, .. } = drawn;
-    let right = view.nodes.iter().map(|node| node.at.0).fold(0.0, f64::max);
+    let all = view.nodes.iter().chain(&view.ghosts);
+    let right = all.map(|node| node.at.0).fold(0.0, f64::max);
     let folds = if view.folds.is_empty() { 0.0 } else { 64.0 };
     view.size = (
         right + SIZE.0 + MARGIN.0 + folds,
@@ -97,6 +110,8 @@ pub fn view(state: &State) -> Option<TreeView> {
 struct Drawn<'a> {
     state: &'a State,
     tree: &'a TreeRun,
+    /// The search by hand that it is of.
+    by_hand: Option<&'a HandRun>,
     chosen: u64,
     /// The nodes from the root to the chosen one.
     path: Vec<u64>,
@@ -122,6 +137,7 @@ impl<'a> Drawn<'a> {
         Self {
             state,
             tree,
+            by_hand: None,
             chosen,
             path,
             skipped,
@@ -154,6 +170,9 @@ impl<'a> Drawn<'a> {
             middles.push((child, self.add(child, next, place)));
         }
         let middle = match middles.as_slice() {
+            [] if id == self.chosen && self.sprout(node, x) => {
+                MARGIN.1 + (self.rows as f64 - 1.0) * STEP.1
+            }
             [] => {
                 self.rows += 1;
                 MARGIN.1 + (self.rows as f64 - 0.5) * STEP.1
@@ -164,18 +183,37 @@ impl<'a> Drawn<'a> {
         for (child, below) in middles {
             let is_on = self.path.contains(&child);
             let (from, to) = (x + SIZE.0, MARGIN.0 + next as f64 * STEP.0);
-            let bend = f64::midpoint(from, to);
-            let line = &mut self.view.lines[usize::from(is_on)];
-            // Writing to a string cannot fail.
-            let _ = write!(
-                line,
-                "M{from} {middle}C{bend} {middle} {bend} {below} {to} {below}"
-            );
+            self.view.lines[usize::from(is_on)] += &line((from, middle), (to, below));
         }
         self.view.nodes[slot].at = (x, middle - SIZE.1 / 2.0);
         self.view.nodes[slot].level = depth + 1;
         self.fold(id, (x + SIZE.0 + 8.0, middle));
         middle
+    }
+
+    /// Adds the branches that a split by hand would make of a node at this place, if any.
+    fn sprout(&mut self, node: &TreeNode, x: f64) -> bool {
+        let ghosts = match self.by_hand {
+            Some(_) => by_hand::sprout(self.state, node.id),
+            None => Vec::new(),
+        };
+        let count = ghosts.len();
+        let (from, to) = (x + SIZE.0, x + STEP.0);
+        let middle = MARGIN.1 + (self.rows as f64 + count as f64 / 2.0) * STEP.1;
+        for ghost in ghosts {
+            let below = MARGIN.1 + (self.rows as f64 + 0.5) * STEP.1;
+            self.view.ghost_lines += &line((from, middle), (to, below));
+            self.rows += 1;
+            self.view.ghosts.push(NodeBox {
+                at: (to, below - SIZE.1 / 2.0),
+                cost: ghost.cost,
+                lines: ghost.lines,
+                agent: ghost.agent,
+                class: if ghost.is_dead { "ghost dead" } else { "ghost" },
+                ..NodeBox::default()
+            });
+        }
+        count > 0
     }
 
     /// The children of a node that are shown: of a large tree only those along the
@@ -216,65 +254,12 @@ impl<'a> Drawn<'a> {
             self.view.folds.push(Fold { at, count });
         }
     }
-
-    fn node_box(&self, node: &TreeNode, place: (usize, usize), has_children: bool) -> NodeBox {
-        let lines = lines(node);
-        let is_chosen = node.id == self.chosen;
-        let class = match node.fate {
-            NodeFate::Open => "open",
-            NodeFate::Dead => "open dead",
-            NodeFate::Split { .. } => "split",
-            NodeFate::Best { .. } => "sol",
-        };
-        let constraint = node.constraint.as_ref();
-        let asks = constraint.map(|constraint| format!(", {}", words::constraint(constraint)));
-        let cost = node
-            .cost
-            .map_or("\u{2013}".to_owned(), |cost| cost.to_string());
-        // What is seen is what is said, and a little more.
-        let said = match lines[0].strip_suffix(':') {
-            Some(first) => format!("{first}: {}", lines[1]),
-            None => lines.join(", "),
-        };
-        let what = node
-            .cost
-            .map_or_else(String::new, |cost| tr!("Cost {cost}: ", cost));
-        NodeBox {
-            id: node.id,
-            at: (0.0, 0.0),
-            cost,
-            lines,
-            agent: constraint.and_then(|asked| index(self.state, words::subject(asked))),
-            class,
-            is_chosen,
-            name: format!("{what}{said}{}", asks.unwrap_or_default()),
-            level: 1,
-            place,
-            is_expanded: (!self.tree.children(node.id).is_empty()).then_some(has_children),
-        }
-    }
 }
 
-/// What a node says, in two lines.
-fn lines(node: &TreeNode) -> [String; 2] {
-    match &node.fate {
-        NodeFate::Split { conflict, .. } => words::conflict_lines(conflict),
-        NodeFate::Best { .. } => [
-            tr!("No conflict:").to_owned(),
-            tr!("the best plan").to_owned(),
-        ],
-        NodeFate::Dead => [
-            tr!("No way:").to_owned(),
-            tr!("it cannot be kept").to_owned(),
-        ],
-        NodeFate::Open => {
-            let count = match node.conflicts {
-                0 => tr!("No conflict").to_owned(),
-                more => tr!("{n} conflict" | "{n} conflicts" % more),
-            };
-            [count, tr!("never opened").to_owned()]
-        }
-    }
+/// The `d` of a line from a node to one on its right.
+fn line((from, middle): (f64, f64), (to, below): (f64, f64)) -> String {
+    let bend = f64::midpoint(from, to);
+    format!("M{from} {middle}C{bend} {middle} {bend} {below} {to} {below}")
 }
 
 /// How many nodes each has below it, itself counted.
