@@ -54,8 +54,8 @@ pub(super) fn is_same_but_for_places(before: &Agent, now: &Agent) -> bool {
 }
 
 /// Whether a robot that came is one that the page places: with the battery of one that
-/// was there, and facing nowhere.
-pub(super) fn is_as_placed(start: &Scene, agent: &Agent, may_erase: bool) -> bool {
+/// was there, without one where none was, and facing nowhere.
+pub(super) fn is_as_placed(start: &Scene, scene: &Scene, agent: &Agent, may_erase: bool) -> bool {
     let Agent {
         name: _,
         start: _,
@@ -64,7 +64,8 @@ pub(super) fn is_as_placed(start: &Scene, agent: &Agent, may_erase: bool) -> boo
         battery,
         heading,
     } = agent;
-    let is_alone = battery.is_none() && (start.agents.is_empty() || may_erase);
+    let has_none = || scene.agents.iter().all(|other| other.battery.is_none());
+    let is_first = battery.is_none() && (start.agents.is_empty() || (may_erase && has_none()));
     let has_like = || start.agents.iter().any(|other| other.battery == *battery);
-    heading.is_none() && (is_alone || has_like())
+    heading.is_none() && (is_first || has_like())
 }

@@ -1,6 +1,6 @@
 //! The robots of a scene that was edited, against those that it began with.
 
-use giveway_model::{Agent, Cell, Scene};
+use giveway_model::{Agent, Cell};
 
 use super::edits::{Count, Outside, tool};
 use super::fixed::{is_as_placed, is_same_but_for_places};
@@ -18,14 +18,14 @@ pub(super) fn compare(situation: Situation<'_>, count: &mut Count) -> Result<(),
     for agent in &scene.agents {
         let place = left.iter().position(|other| other.name == agent.name);
         let Some((gone, [before, rest @ ..])) = place.map(|place| left.split_at(place)) else {
-            came(step, start, agent, count)?;
+            came(situation, agent, count)?;
             continue;
         };
         let mut moves = count.clone();
         if let Err(why) = moved(step, before, agent, &mut moves) {
             // Taken away, and placed anew under the same name.
             removed(step, before, count).map_err(|_| why.clone())?;
-            came(step, start, agent, count).map_err(|_| why)?;
+            came(situation, agent, count).map_err(|_| why)?;
         } else {
             *count = moves;
         }
@@ -44,12 +44,13 @@ fn outside(agent: &Agent) -> Outside {
     Outside::Robot(agent.name.clone())
 }
 
-fn came(step: &Step, start: &Scene, agent: &Agent, count: &mut Count) -> Result<(), Why> {
+fn came(situation: Situation<'_>, agent: &Agent, count: &mut Count) -> Result<(), Why> {
+    let Situation { step, start, scene } = situation;
     tool(step, &[Tool::Robot], outside(agent))?;
     let may = |tool: Tool| step.tools.contains(&tool);
     let has_places = (agent.goal.is_some() || may(Tool::Erase))
         && (agent.waypoints.is_empty() || may(Tool::Waypoint));
-    if !has_places || !is_as_placed(start, agent, may(Tool::Erase)) {
+    if !has_places || !is_as_placed(start, scene, agent, may(Tool::Erase)) {
         return Err(Why::Outside(outside(agent)));
     }
     count.edits += 1 + agent.waypoints.len() as u32;

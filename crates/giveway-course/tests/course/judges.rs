@@ -27,7 +27,7 @@ pub(crate) fn lesson(scene: &Json, step: &Json, task: &Json) -> Lesson {
     read_lesson(&lesson.to_string(), &shipped::glossary()).unwrap()
 }
 
-fn scene(map: &[&str], agents: &[(&str, [u32; 2], [u32; 2])]) -> Json {
+pub(crate) fn scene(map: &[&str], agents: &[(&str, [u32; 2], [u32; 2])]) -> Json {
     let agents: Vec<Json> = agents
         .iter()
         .map(|(name, start, goal)| json!({ "name": name, "start": start, "goal": goal }))
@@ -42,7 +42,7 @@ fn crossing() -> Json {
     )
 }
 
-fn judged(lesson: &Lesson, scene: &Scene, did: &Did) -> Verdict {
+pub(crate) fn judged(lesson: &Lesson, scene: &Scene, did: &Did) -> Verdict {
     let step: &Step = &lesson.steps[0];
     let situation = Situation {
         step,
@@ -64,7 +64,7 @@ fn told(lesson: &Lesson, verdict: &Verdict) -> String {
     format!("{}: {}", said.head, said.text.plain())
 }
 
-fn painted(lesson: &Lesson, change: impl FnOnce(&mut Scene)) -> (Verdict, String) {
+pub(crate) fn painted(lesson: &Lesson, change: impl FnOnce(&mut Scene)) -> (Verdict, String) {
     let mut scene = lesson.steps[0].scene.clone().unwrap();
     change(&mut scene);
     let verdict = judged(lesson, &scene, &Did::Edits);

@@ -119,7 +119,7 @@ fn did(start: &Scene, doing: Doing) -> (Scene, Did) {
 }
 
 /// The verdict, with the solver's own answers.
-fn judged(lesson: &Lesson, step: usize, scene: &Scene, did: &Did) -> Verdict {
+pub(crate) fn judged(lesson: &Lesson, step: usize, scene: &Scene, did: &Did) -> Verdict {
     let start = lesson.scene(step).unwrap();
     let situation = Situation {
         step: &lesson.steps[step],
@@ -200,6 +200,36 @@ pub(crate) fn each_solution(mut call: impl FnMut(&str, Situation<'_>, &Did)) {
             call(&format!("{name}, step {index}"), situation, &done);
         }
     }
+}
+
+/// What was done for the task of a step: the scene on the board, and the answer.
+pub(crate) struct Answered {
+    pub(crate) lesson: String,
+    pub(crate) step: usize,
+    pub(crate) scene: Scene,
+    pub(crate) did: Did,
+    /// Whether it is the solution, or one of the wrong answers.
+    pub(crate) is_right: bool,
+}
+
+/// The solution of each task of a lesson, and its wrong answers.
+pub(crate) fn answers(name: &str, lesson: &Lesson) -> Vec<Answered> {
+    let mut all = Vec::new();
+    for (step, solution) in solutions(name) {
+        let start = lesson.scene(step).unwrap();
+        let wrong = solution.refused.into_iter().map(|wrong| (wrong.did, false));
+        for (doing, is_right) in std::iter::once((solution.solved, true)).chain(wrong) {
+            let (scene, did) = did(start, doing);
+            all.push(Answered {
+                lesson: name.to_owned(),
+                step,
+                scene,
+                did,
+                is_right,
+            });
+        }
+    }
+    all
 }
 
 /// A request that no task makes.
