@@ -74,7 +74,7 @@ fn answer(answer: &Answer) -> Option<Fault> {
     match answer {
         Answer::Value { value } => match value {
             Value::Robot(name) => word("value", name, MAX_ROBOT),
-            Value::Number(_) | Value::Cell(_) => None,
+            Value::Number(_) | Value::Cell(_) | Value::Rule { .. } => None,
         },
         Answer::Shown {} | Answer::NoOrder {} | Answer::Choice { .. } | Answer::Method { .. } => {
             None

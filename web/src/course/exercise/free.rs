@@ -100,7 +100,7 @@ fn words(open: &Open, value: &Value, reader: Reader<'_>) -> Html {
         Value::Robot(name) => reader.robot(name),
         Value::Rule { rule } => {
             let rule = open.scene().constraints.get(*rule as usize);
-            html! { { rule.map(Constraint::sentence) } }
+            html! { { rule.map(Constraint::sentence).unwrap_or_default() } }
         }
     }
 }
