@@ -1,0 +1,149 @@
+// Handing in a lesson, and what a lecturer sees of a class's hand-ins.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { describe } from "node:test";
+
+import { Course } from "./course.mjs";
+import { BOTH, flows } from "./flow.mjs";
+import { eventually } from "./wait.mjs";
+
+/** Follows a link of the page. */
+const follow = (page, hash) => page.evaluate((hash) => { location.hash = hash; }, hash);
+
+/** Drops files onto the page, a minute of change between them. */
+function drop(page, files) {
+  return page.evaluate((files) => {
+    const data = new DataTransfer();
+    for (const [index, [name, text]] of files.entries()) {
+      data.items.add(new File([text], name, { lastModified: 1_700_000_000_000 + index * 60_000 }));
+    }
+    for (const kind of ["dragover", "drop"]) {
+      document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: data, bubbles: true, cancelable: true }));
+    }
+  }, files);
+}
+
+/** What is downloaded by a press. */
+async function saved(page, press) {
+  const download = page.waitForEvent("download");
+  await press();
+  const file = await download;
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
+}
+
+/** Hands in the lesson about room to pass with its first task answered by a key: the second answer is right. */
+async function handIn(playground, key, name) {
+  const { page } = playground;
+  const course = new Course(playground);
+  await follow(page, "lesson=room-to-pass.2");
+  await course.at("How long will they need?");
+  await playground.key(key);
+  await course.says(/your guess/);
+  await course.lesson.getByRole("button", { name: "Hand in" }).click();
+  await course.at("Hand in your work");
+  await course.lesson.getByLabel("Your name, as your lecturer knows you").fill(name);
+  return course;
+}
+
+describe("a lesson is handed in", () => {
+  const flow = flows();
+
+  flow("as a file that a mail survives, and as a link", async (playground, { page, context }) => {
+    await context.grantPermissions(["clipboard-read", "clipboard-write"]).catch(() => {});
+    const course = await handIn(playground, "2", "Ada L.");
+    await course.says(/Nothing is sent\./);
+    await course.says(/room-to-pass-ada-l\.json/);
+    await course.says(/1 How long will they need\? solved, 1 try/);
+    await course.says(/not tried/);
+    await playground.picture("hand-in");
+    const file = await saved(page, () => course.lesson.getByRole("button", { name: "Save file" }).click());
+    assert.equal(file.name, "room-to-pass-ada-l.json");
+    assert.match(file.text, /^[\n\r\x20-\x7e]*$/, "ASCII alone");
+    assert.ok(file.text.split("\n").every((line) => line.length <= 72), "lines of at most 72 letters");
+    await course.says(/Saved as room-to-pass-ada-l\.json\. Give the file to your lecturer\./);
+    await course.lesson.getByRole("button", { name: "Copy link" }).click();
+    await course.says(/Link copied\. Give it to your lecturer\./);
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    assert.match(link, /#hand-in=~[\w-]+$/);
+
+    // A card leads back to its step.
+    await course.lesson.getByRole("button", { name: /^1 How long will they need\?/ }).click();
+    await course.at("How long will they need?");
+
+    // A link alone opens the same table.
+    await follow(page, link.slice(link.indexOf("#") + 1));
+    await page.getByRole("dialog", { name: "1 hand-in" }).getByRole("row", { name: /Ada L\./ }).waitFor();
+  }, { screens: BOTH });
+
+  flow("in one's own language", async (playground) => {
+    await playground.act("DE");
+    const course = new Course(playground);
+    await follow(playground.page, "lesson=room-to-pass.2");
+    await playground.page.getByRole("complementary", { name: "Lektion" }).getByRole("button", { name: "Abgeben" }).click();
+    await playground.page.getByRole("heading", { name: "Abgabe" }).waitFor();
+    assert.ok(course);
+  });
+});
+
+describe("the hand-ins of a class", () => {
+  const flow = flows();
+
+  flow("are judged anew, whatever they claim", async (playground, { page }) => {
+    const save = async (key, name) => {
+      const course = await handIn(playground, key, name);
+      const file = await saved(page, () => course.lesson.getByRole("button", { name: "Save file" }).click());
+      await course.lesson.getByRole("button", { name: "Room to pass" }).click();
+      return file;
+    };
+    const right = await save("2", "Ada");
+    // What was solved stays so: a wrong answer is one that was changed in the file.
+    const claimed = right.text.replace(/"Ada"/, '"Bob"').replace(/"value": 9/, '"value": 7');
+    assert.notEqual(claimed, right.text.replace(/"Ada"/, '"Bob"'), "the answer was changed");
+    const honest = claimed.replace(/"Bob"/, '"Cyd"').replace(/"solved": true/, '"solved": false');
+    await drop(page, [
+      ["ada.json", right.text],
+      ["bob.json", `> ${claimed.replaceAll("\n", "\r\n> ")}`],
+      ["cyd-1.json", right.text.replace(/"Ada"/, '"Cyd"')],
+      ["cyd-2.json", honest],
+      ["homework.pdf", "%PDF-1.7 no hand-in"],
+      ["cut.json", right.text.slice(0, 200)],
+    ]);
+    const table = page.getByRole("dialog", { name: "3 hand-ins" });
+    await table.getByText("1 task is said to be solved, and is not.").waitFor();
+    const rows = await table.locator("tbody tr").allInnerTexts();
+    assert.deepEqual(rows.map((row) => row.trim().split(/\s/)[0]), ["Bob", "Cyd", "Ada"], "whom to look at first");
+    await table.getByRole("row", { name: /^Cyd 2 files/ }).waitFor();
+    await table.getByRole("button", { name: "says solved, is not, 1 try" }).waitFor();
+    const unread = await table.locator(".unr li").allInnerTexts();
+    assert.deepEqual(unread.map((line) => line.split("\n")[0]), ["homework.pdf", "cut.json"]);
+    await playground.picture("class");
+
+    const csv = await saved(page, () => table.getByRole("button", { name: "Save as CSV" }).click());
+    assert.match(csv.text, /Bob,Room to pass,.*not solved,solved,1,/);
+
+    // The work on the board, and on by keys.
+    await table.getByRole("button", { name: "says solved, is not, 1 try" }).click();
+    const work = page.getByRole("complementary", { name: "A student's work" });
+    await work.getByRole("heading", { name: "Bob" }).waitFor();
+    await work.getByText("The file says that it is solved.").waitFor();
+    await playground.picture("class-work");
+    await work.getByRole("button", { name: "Next to look at" }).click();
+    await work.getByRole("heading", { name: "Cyd" }).waitFor();
+    await work.getByRole("button", { name: "Class" }).click();
+    await table.waitFor();
+    await table.getByRole("button", { name: /^not solved, 1 try/ }).focus();
+    await page.keyboard.press("ArrowDown");
+    await eventually("the focus one row below", () => page.evaluate(() => document.activeElement?.getAttribute("data-at")), (at) => at === "2.0");
+
+    // A person's own scene was put aside, and the class stays until it is forgotten.
+    await page.keyboard.press("Escape");
+    await table.waitFor({ state: "detached" });
+    await playground.says(/^Optimal: /);
+    const course = new Course(playground);
+    await course.open();
+    await course.contents.getByRole("button", { name: "Hand-ins" }).click();
+    await table.getByRole("button", { name: "Forget them" }).click();
+    await page.getByRole("dialog", { name: "Hand-ins of a class" }).waitFor();
+  }, { screens: BOTH });
+});
