@@ -49,7 +49,7 @@ pub fn letters(text: &str) -> Option<String> {
         Some(place) => line.get(place + KEY.len()..)?,
         None => &line,
     };
-    let is_letter = |c: &char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | MARK);
+    let is_letter = |c: &char| c.is_ascii_alphanumeric() || matches!(*c, '-' | '_' | MARK);
     let is_link = letters.starts_with(MARK);
     is_link.then(|| letters.chars().take_while(is_letter).collect())
 }

@@ -245,7 +245,10 @@ fn a_mail_survives_it() {
         if let Some(letters) = link::write(&made) {
             assert!(letters.len() <= 2000);
             assert_eq!(read(&letters).as_ref(), Ok(&made));
-            let quoted = format!("> <https://example.org/x/#hand-in%3D%7E{}>.\n", &letters[1..]);
+            let quoted = format!(
+                "> <https://example.org/x/#hand-in%3D%7E{}>.\n",
+                &letters[1..]
+            );
             assert_eq!(read(&quoted).as_ref(), Ok(&made));
         }
     }
