@@ -10,14 +10,15 @@ use super::whole;
 /// A class's hand-ins, each judged anew.
 #[derive(Debug, ClapArgs)]
 #[command(after_help = "\
-A FILE is what the page saves at the end of a lesson (Hand in), also where a mail has quoted it; or a
-list of links to hand-ins, one a line. What a file claims is not believed: every answer is judged again
-by the solver and the checker, against the lessons of the course and those given with --lesson, never
-against one that a file brings. Tries are the file's own word, and a name cannot be checked. Of two files
-of one name the later one counts, by the date of the file; of equal dates the one that is given last.
+A FILE is what the page saves at the end of a lesson (Hand in), also where a mail has quoted it;
+or a list of links to hand-ins, one a line. What a file claims is not believed: every answer is
+judged again by the solver and the checker, against the lessons of the course and those given
+with --lesson, never against one that a file brings. Tries are the file's own word, and a name
+cannot be checked. Of two files of one name the later one counts, by the date of the file; of
+equal dates the one that is given last.
 
-A claim is false where a file says that a task is solved, and it is not. The exit status is 1 if there
-is one, or if no file could be judged.
+A claim is false where a file says that a task is solved, and it is not. The exit status is 1 if
+there is one, or if no file could be judged.
 
 Examples
   giveway grade handed-in/*.json

@@ -20,6 +20,7 @@ mod delays;
 mod explain;
 mod foreign;
 mod freedom;
+mod grade;
 mod harmless_input;
 #[cfg(unix)]
 mod interrupt;

@@ -3,7 +3,7 @@
 use giveway_model::csv::{table, text};
 use giveway_model::tr;
 
-use super::{Class, Graded, Judgement, Order, Row};
+use super::{Class, Given, Graded, Judgement, Order, Row};
 use crate::handin::{answer_words, is_plain};
 use crate::lesson::{Lesson, Step};
 
@@ -28,7 +28,7 @@ pub fn csv(class: &Class, order: Order) -> String {
         };
         for row in class.rows(lesson, order) {
             let tasks = row.tasks().iter();
-            rows.extend(tasks.map(|task| of_task(row, task, &given.lesson)));
+            rows.extend(tasks.map(|task| of_task(row, task, given)));
         }
     }
     for file in class.files() {
@@ -82,11 +82,12 @@ fn cell(words: &str) -> String {
     text(&plain(words))
 }
 
-fn of_task(row: Row<'_>, task: &Graded, lesson: &Lesson) -> Vec<String> {
+fn of_task(row: Row<'_>, task: &Graded, given: &Given) -> Vec<String> {
+    let lesson = &given.lesson;
     vec![
         cell(row.name().unwrap_or_default()),
         cell(&lesson.title),
-        (task.step + 1).to_string(),
+        cell(&given.task_words(task.step)),
         judged(task).to_owned(),
         said(task).to_owned(),
         task.tries().to_string(),

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use giveway_model::tr;
 use giveway_solve::Request;
 
 use crate::handin::Sum;
@@ -30,6 +31,20 @@ impl Given {
     pub fn tasks(&self) -> impl Iterator<Item = usize> + '_ {
         let steps = self.lesson.steps.iter().enumerate();
         steps.filter_map(|(index, step)| step.task.as_ref().map(|_| index))
+    }
+
+    /// The number of the task of a step, from 1; `None` where the step has no task.
+    pub fn number(&self, step: usize) -> Option<usize> {
+        let place = self.tasks().position(|task| task == step);
+        place.map(|place| place + 1)
+    }
+
+    /// The task of a step, by its number and what the step is called: `2 Who gives way?`.
+    pub fn task_words(&self, step: usize) -> String {
+        match (self.number(step), self.lesson.steps.get(step)) {
+            (Some(number), Some(step)) => format!("{number} {}", step.title),
+            _ => tr!("step {number}, without a task", number = step + 1),
+        }
     }
 }
 

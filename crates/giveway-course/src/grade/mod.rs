@@ -8,6 +8,7 @@
 //! - [`Came`]: files and links as a page gets them;
 //! - [`Filed`], [`Unread`]: a file, and why it is none of this class;
 //! - [`Row`], [`Share`], [`Wrong`]: the table, and what it says of each task;
+//! - [`Looking`]: which of it is looked at, and the board of a student's work;
 //! - [`csv`], [`Report`]: the same for spreadsheets and programs.
 
 mod answers;
@@ -19,6 +20,7 @@ mod filed;
 mod given;
 mod judgement;
 mod limits;
+mod looking;
 mod report;
 mod rows;
 mod shares;
@@ -31,6 +33,7 @@ pub use filed::{Filed, Unread};
 pub use given::{Given, Next, Progress};
 pub use judgement::{Judgement, Reason};
 pub use limits::FIRST_WORK;
+pub use looking::{Chosen, LookAction, LookedAt, Looking};
 pub use report::Report;
 pub use rows::{Order, Row};
 pub use shares::{Share, Wrong};

@@ -8,7 +8,8 @@ use super::{Claim, Class, Given, Graded, Judgement, Order, Row, Share, Wrong};
 use crate::handin::Sum;
 use crate::lesson::Id;
 
-/// The judgements of a class, as JSON has them. Steps are counted from 1, as on the page.
+/// The judgements of a class, as JSON has them. Tasks and steps are counted from 1, as on the
+/// page.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     giveway: Version,
@@ -33,6 +34,7 @@ struct OfLesson {
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct OfTask {
+    task: usize,
     step: usize,
     title: String,
     kind: &'static str,
@@ -113,6 +115,7 @@ fn of_lesson(class: &Class, lesson: usize, given: &Given, order: Order) -> OfLes
         let step = given.lesson.steps.get(share.step);
         let task = step.and_then(|step| step.task.as_ref());
         OfTask {
+            task: given.number(share.step).unwrap_or_default(),
             step: share.step + 1,
             title: step.map_or_else(String::new, |step| step.title.clone()),
             kind: task.map_or("", |task| task.kind()),

@@ -65,6 +65,7 @@ fn key(name: &str) -> String {
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
     student: &'a Student,
+    place: usize,
     file: &'a Filed,
 }
 
@@ -79,7 +80,7 @@ impl<'a> Row<'a> {
         self.name().unwrap_or(&self.file.file)
     }
 
-    /// The file that counts.
+    /// The file: the one that counts, in a table.
     pub const fn file(&self) -> &'a Filed {
         self.file
     }
@@ -89,9 +90,9 @@ impl<'a> Row<'a> {
         &self.student.files
     }
 
-    /// The place of the file that counts.
+    /// The place of the file.
     pub const fn place(&self) -> usize {
-        self.student.counts
+        self.place
     }
 
     /// The tasks, in the order of the lesson.
@@ -119,7 +120,12 @@ impl Class {
         let mut rows: Vec<Row<'_>> = students
             .filter_map(|student| {
                 let file = self.files.get(student.counts)?;
-                Some(Row { student, file })
+                let place = student.counts;
+                Some(Row {
+                    student,
+                    place,
+                    file,
+                })
             })
             .collect();
         let name = |row: &Row<'_>| (row.name().is_none(), natural(row.title()), row.place());
@@ -130,6 +136,18 @@ impl Class {
             }
         }
         rows
+    }
+
+    /// The row of a file, by its place among [`Class::files`]; also of one that another file
+    /// of its name has taken the place of.
+    pub fn row(&self, place: usize) -> Option<Row<'_>> {
+        let student = self.students.iter().find(|it| it.files.contains(&place))?;
+        let file = self.files.get(place)?;
+        Some(Row {
+            student,
+            place,
+            file,
+        })
     }
 
     /// The lessons of which there are hand-ins, by their places.

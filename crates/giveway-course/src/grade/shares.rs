@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Claim, Class, Judgement, Order};
+use super::{Claim, Class, Judgement, Order, Row};
 use crate::handin::{Answer, answer_words};
 use crate::lesson::{Lesson, Step, Task, Text};
 
@@ -58,7 +58,7 @@ impl Class {
                 step,
                 ..Share::default()
             };
-            let tasks = rows.iter().flat_map(|row| row.tasks());
+            let tasks = rows.iter().flat_map(Row::tasks);
             for task in tasks.filter(|task| task.step == step) {
                 let count = match task.judgement() {
                     Some(Judgement::Solved(_)) => &mut share.solved,
@@ -84,7 +84,7 @@ impl Class {
         let own = &*given.lesson;
         let mut counts: BTreeMap<(usize, String), (Answer, usize)> = BTreeMap::new();
         let rows = self.rows(lesson, Order::Name);
-        for task in rows.iter().flat_map(|row| row.tasks()) {
+        for task in rows.iter().flat_map(Row::tasks) {
             for answer in task.wrong(own) {
                 let words = answer_words(answer, task.step, own);
                 let entry = counts.entry((task.step, words));

@@ -81,8 +81,11 @@ impl Answer {
     pub(crate) fn letters(&self) -> usize {
         let names = |names: &[String]| -> usize { names.iter().map(|name| name.len() + 3).sum() };
         30 + match self {
-            Self::Value { .. } | Self::Shown {} | Self::Choice { .. } => 10,
-            Self::NoOrder {} | Self::Method { .. } => 10,
+            Self::Value { .. }
+            | Self::Shown {}
+            | Self::Choice { .. }
+            | Self::NoOrder {}
+            | Self::Method { .. } => 10,
             Self::Marks { marks } => marks
                 .iter()
                 .map(|mark| 40 + names(&mark.robots) + 8 * mark.cells.len())
@@ -103,6 +106,7 @@ pub(super) mod from_one {
     use super::{Deserialize, Deserializer, Serializer, de};
     use giveway_model::tr;
 
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
     pub(in crate::handin) fn serialize<S: Serializer>(
         index: &usize,
         serializer: S,

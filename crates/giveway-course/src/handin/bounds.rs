@@ -39,11 +39,11 @@ pub(super) fn faults(hand_in: &HandIn) -> Option<Fault> {
     name.and_then(|name| word("name", name, MAX_NAME))
         .or_else(|| word("hand-in.title", title, MAX_TITLE))
         .or_else(|| few("tasks", hand_in.tasks.len(), MAX_STEPS))
-        .or_else(|| twice(hand_in))
         .or_else(|| {
             let mut tasks = hand_in.tasks.iter().enumerate();
             tasks.find_map(|(index, work)| Some(check(work)?.of_part(&format!("tasks[{index}]"))))
         })
+        .or_else(|| twice(hand_in))
 }
 
 /// Steps follow each other, each once.

@@ -37,18 +37,21 @@ pub fn write(hand_in: &HandIn) -> Option<String> {
     (text.len() <= MAX_LETTERS).then_some(text)
 }
 
-/// The letters of a link, whether or not an address stands before them; `None` where a
-/// text is no link.
-pub fn letters(text: &str) -> Option<&str> {
-    let line = text.trim();
+/// The letters of a link, whether or not an address stands before them, without what a
+/// mail program wrote behind them or in the place of a sign; `None` where a text is no link.
+pub fn letters(text: &str) -> Option<String> {
+    let line = text.trim().trim_start_matches(['<', '"', '(', '>', ' ']);
     if line.contains(char::is_whitespace) {
         return None;
     }
-    let line = line.trim_start_matches('<').trim_end_matches('>');
-    match line.rfind(KEY) {
-        Some(place) => line.get(place + KEY.len()..),
-        None => Some(line).filter(|line| line.starts_with(MARK)),
-    }
+    let line = line.replace("%3D", "=").replace("%7E", "~");
+    let letters = match line.rfind(KEY) {
+        Some(place) => line.get(place + KEY.len()..)?,
+        None => &line,
+    };
+    let is_letter = |c: &char| c.is_ascii_alphanumeric() || matches!(*c, '-' | '_' | MARK);
+    let is_link = letters.starts_with(MARK);
+    is_link.then(|| letters.chars().take_while(is_letter).collect())
 }
 
 /// Reads the letters that [`write()`] wrote.

@@ -54,10 +54,10 @@ pub fn hand_in(progress: &Progress, id: &Id, lesson: &Lesson, name: &str) -> Han
 /// A text on one line, without what is not read as it is written; `None` where nothing
 /// is left.
 fn line(text: &str, most: usize) -> Option<String> {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let words = words.join(" ");
-    let plain = words.chars().filter(|c| is_plain(*c));
-    let cut: String = plain.take(most).collect();
+    let plain = |c: &char| is_plain(*c) || c.is_whitespace();
+    let plain: String = text.chars().filter(plain).collect();
+    let words: Vec<&str> = plain.split_whitespace().collect();
+    let cut: String = words.join(" ").chars().take(most).collect();
     let cut = cut.trim();
     (!cut.is_empty()).then(|| cut.to_owned())
 }

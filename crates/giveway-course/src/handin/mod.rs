@@ -5,6 +5,7 @@
 //! - [`Sum`]: what a lesson is known by, in any language;
 //! - [`write()`], [`read()`]: the file; [`link`]: the same as a part of an address;
 //! - [`hand_in`]: made of a learner's [`crate::learner::Progress`];
+//! - [`Form`], [`Card`]: what a learner sees of it before;
 //! - [`Shown`]: a task's work laid on the lesson again, for judges and to be looked at.
 //!
 //! Nothing in it is believed: [`crate::grade`] judges each answer anew.
@@ -12,7 +13,9 @@
 mod answer;
 mod apply;
 mod bounds;
+mod cards;
 mod edits;
+mod form;
 pub mod link;
 mod made;
 mod read;
@@ -31,7 +34,9 @@ use crate::lesson::Id;
 pub use answer::Answer;
 pub use apply::NoFit;
 pub use bounds::{MAX_BYTES, MAX_NAME, MAX_TRIES};
-pub use edits::Edits;
+pub use cards::{Card, CardState, cards, summary};
+pub use edits::{CellEdit, Edits};
+pub use form::{Done, Form, FormAction, FormEffect, Subject};
 pub use made::hand_in;
 pub use read::read;
 pub use shown::{Misfit, Shown};

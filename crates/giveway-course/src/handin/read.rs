@@ -29,7 +29,7 @@ pub fn read(text: &str) -> Result<HandIn, Fault> {
         return Err(too_long(text.len()));
     }
     if let Some(letters) = link::letters(text) {
-        return link::read(letters);
+        return link::read(&letters);
     }
     let Unwrapped { json, lines } = unwrapped(text)?;
     from_json(&json).map_err(|mut fault| {

@@ -121,5 +121,6 @@ fn units(dense: &str) -> Vec<Unit> {
 fn escaped(c: char) -> String {
     let mut pair = [0; 2];
     let pair = c.encode_utf16(&mut pair);
-    pair.iter().map(|half| format!("\\u{half:04x}")).collect()
+    let halves = pair.iter().map(|half| format!("\\u{half:04x}"));
+    halves.collect::<Vec<_>>().concat()
 }

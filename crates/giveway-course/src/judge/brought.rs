@@ -48,13 +48,12 @@ pub(crate) fn may_bring(lesson: &Lesson, step: usize, board: &Scene) -> Result<(
 /// A step with all that some steps allow: their tools, their edits, their cells.
 fn together(steps: &[Step]) -> Step {
     let edited = || steps.iter().filter(|step| !step.tools.is_empty());
-    let edits = edited().map(|step| step.edits);
-    let cells = edited().map(|step| step.cells.clone());
+    let mut edits = edited().map(|step| step.edits);
+    let mut cells = edited().map(|step| step.cells.as_ref());
     Step {
         tools: edited().flat_map(|step| step.tools.clone()).collect(),
-        edits: edits.fold(Some(0), |sum, edits| Some(sum?.saturating_add(edits?))),
-        cells: cells.fold(Some(Vec::new()), |all, cells| {
-            let mut all = all?;
+        edits: edits.try_fold(0_u32, |sum, edits| Some(sum.saturating_add(edits?))),
+        cells: cells.try_fold(Vec::new(), |mut all, cells| {
             all.extend(cells?);
             Some(all)
         }),

@@ -110,7 +110,8 @@ impl Lesson {
         Id::of_content(&write::dense(self))
     }
 
-    /// The JSON Schema (draft 2020-12) of lessons, courses and glossaries. It refers
+    /// The JSON Schema (draft 2020-12) of lessons, courses, glossaries and
+    /// hand-ins. It refers
     /// to that of scenes and plans ([`giveway_model::format::schema`]).
     pub const fn schema() -> &'static str {
         include_str!("../../schema/lesson.schema.json")

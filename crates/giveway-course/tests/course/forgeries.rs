@@ -181,7 +181,11 @@ fn is_right(lesson: &Lesson, work: &Work) -> bool {
         return false;
     };
     // No step of the course goes on with a board that the steps before can edit.
-    if !work.board.is_empty() {
+    let board = Work {
+        answer: Some(Answer::Edits(work.board.clone())),
+        ..work.clone()
+    };
+    if edited(lesson, &board).as_ref() != lesson.scene(work.step) {
         return false;
     }
     let did = match (task, work.answer.clone()) {

@@ -245,6 +245,11 @@ fn a_mail_survives_it() {
         if let Some(letters) = link::write(&made) {
             assert!(letters.len() <= 2000);
             assert_eq!(read(&letters).as_ref(), Ok(&made));
+            let quoted = format!(
+                "> <https://example.org/x/#hand-in%3D%7E{}>.\n",
+                &letters[1..]
+            );
+            assert_eq!(read(&quoted).as_ref(), Ok(&made));
         }
     }
 }
@@ -297,7 +302,7 @@ fn a_sum_stays_what_it_is() {
     let task = serde_json::json!({ "kind": "paint", "until": { "is": "solvable" } });
     let open = judges::scene(&["....", "...."], &[("A1", [0, 0], [3, 0])]);
     let lesson = judges::lesson(&open, &serde_json::json!({ "tools": ["obstacle"] }), &task);
-    assert_eq!(Sum::of(&lesson).to_string(), "0000000000000000");
+    assert_eq!(Sum::of(&lesson).to_string(), "eff62e3a2b6ce3ef");
     let mut other = lesson.clone();
     other.steps[0].edits = Some(1);
     assert_ne!(Sum::of(&other), Sum::of(&lesson));

@@ -20,6 +20,7 @@ mod handin_noise;
 mod handins;
 mod judges;
 mod learner;
+mod looking;
 mod noise;
 mod outside;
 mod own;

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
-use giveway_course::grade::{Claim, Class, Graded, Judgement, Order, Row};
-use giveway_course::lesson::{Lesson, Step};
+use giveway_course::grade::{Claim, Class, Given, Graded, Judgement, Order, Row};
+use giveway_course::lesson::Step;
 use giveway_model::words::count;
 
 use super::{bold, paint};
@@ -30,11 +30,11 @@ pub(crate) fn grade(class: &Class, order: Order, columns: usize) -> String {
             "{}: {handed}\n",
             bold(&plain::text(&given.lesson.title))
         );
-        text.push_str(&table(&rows, &given.tasks().collect::<Vec<_>>()));
+        text.push_str(&table(&rows, given));
         text.push('\n');
-        text.push_str(&tasks(class, place, &given.lesson));
-        text.push_str(&wrong(class, place, &given.lesson, columns));
-        text.push_str(&reasons(&rows, &given.lesson));
+        text.push_str(&tasks(class, place, given));
+        text.push_str(&wrong(class, place, given, columns));
+        text.push_str(&reasons(&rows, given));
     }
     let unread = class.files().iter().filter_map(|file| {
         let words = file.unread()?.words();
@@ -55,7 +55,8 @@ pub(crate) fn grade(class: &Class, order: Order, columns: usize) -> String {
     text
 }
 
-fn table(rows: &[Row<'_>], steps: &[usize]) -> String {
+fn table(rows: &[Row<'_>], given: &Given) -> String {
+    let steps: Vec<usize> = given.tasks().collect();
     let named = |row: &Row<'_>| {
         let name = plain::cut(&plain::text(row.title()), NAME);
         match row.files().len() {
@@ -67,14 +68,14 @@ fn table(rows: &[Row<'_>], steps: &[usize]) -> String {
     let width = names.iter().map(|name| plain::width(name)).max();
     let width = width.unwrap_or(0).max("Who".len());
     let mut text = format!("  {}", plain::pad_right("Who", width));
-    for step in steps {
-        let head = format!("step {}", step + 1);
+    for number in 1..=steps.len() {
+        let head = format!("task {number}");
         let _ = write!(text, "  {}", plain::pad_right(&head, TASK));
     }
     text.push_str("  solved\n");
     for (row, name) in rows.iter().zip(&names) {
         let _ = write!(text, "  {}", plain::pad_right(name, width));
-        for step in steps {
+        for step in &steps {
             let task = row.tasks().iter().find(|task| task.step == *step);
             let sign = task.map_or_else(String::new, sign);
             let colour = task.map_or(Style::new(), colour);
@@ -109,13 +110,13 @@ fn colour(task: &Graded) -> Style {
 }
 
 /// The share of each task.
-fn tasks(class: &Class, place: usize, lesson: &Lesson) -> String {
+fn tasks(class: &Class, place: usize, given: &Given) -> String {
     let mut text = bold("Solved") + "\n";
     for share in class.shares(place) {
         let _ = write!(
             text,
             "  {}: {} of {}",
-            step_words(lesson, share.step),
+            task_words(given, share.step),
             share.solved,
             share.all()
         );
@@ -135,7 +136,7 @@ fn tasks(class: &Class, place: usize, lesson: &Lesson) -> String {
 }
 
 /// The most common wrong answers, each with its reply.
-fn wrong(class: &Class, place: usize, lesson: &Lesson, columns: usize) -> String {
+fn wrong(class: &Class, place: usize, given: &Given, columns: usize) -> String {
     let all = class.wrong(place);
     if all.is_empty() {
         return String::new();
@@ -144,7 +145,7 @@ fn wrong(class: &Class, place: usize, lesson: &Lesson, columns: usize) -> String
     let mut before = None;
     for wrong in &all {
         if before != Some(wrong.step) {
-            let _ = writeln!(text, "  {}", step_words(lesson, wrong.step));
+            let _ = writeln!(text, "  {}", task_words(given, wrong.step));
             before = Some(wrong.step);
         }
         let words = plain::text(&wrong.words);
@@ -163,7 +164,7 @@ fn wrong(class: &Class, place: usize, lesson: &Lesson, columns: usize) -> String
 }
 
 /// Why a claim is false, or what is not decided.
-fn reasons(rows: &[Row<'_>], lesson: &Lesson) -> String {
+fn reasons(rows: &[Row<'_>], given: &Given) -> String {
     let none = Step::default();
     let mut text = String::new();
     for row in rows {
@@ -173,7 +174,7 @@ fn reasons(rows: &[Row<'_>], lesson: &Lesson) -> String {
                 (_, Some(Judgement::Undecided(_))) => "not decided",
                 _ => continue,
             };
-            let step = lesson.steps.get(task.step).unwrap_or(&none);
+            let step = given.lesson.steps.get(task.step).unwrap_or(&none);
             let reason = task.judgement().map(|judgement| judgement.reason(step));
             let reason = match reason.unwrap_or_default() {
                 reason if reason.is_empty() => "Nothing was answered.".to_owned(),
@@ -183,7 +184,7 @@ fn reasons(rows: &[Row<'_>], lesson: &Lesson) -> String {
                 text,
                 "  {}, {}: {head}. {}",
                 plain::text(row.title()),
-                step_words(lesson, task.step),
+                task_words(given, task.step),
                 plain::text(&reason)
             );
         }
@@ -194,11 +195,11 @@ fn reasons(rows: &[Row<'_>], lesson: &Lesson) -> String {
     bold("Look at these") + "\n" + &text + "\n"
 }
 
-fn step_words(lesson: &Lesson, step: usize) -> String {
-    let number = step + 1;
-    match lesson.steps.get(step) {
-        Some(own) => format!("step {number} {}", plain::text(&own.title)),
-        None => format!("step {number}"),
+fn task_words(given: &Given, step: usize) -> String {
+    let words = plain::text(&given.task_words(step));
+    match given.number(step) {
+        Some(_) => format!("task {words}"),
+        None => words,
     }
 }
 

@@ -1,0 +1,159 @@
+//! What a learner sees before a lesson is handed in, and what a lecturer sees of a class.
+
+use std::rc::Rc;
+
+use giveway_course::grade::{Chosen, Class, Given, LookAction, Looking, Order};
+use giveway_course::handin::{
+    Answer, CardState, Done, Edits, Form, FormAction, FormEffect, Subject, Work, cards, link, read,
+    summary, write,
+};
+use giveway_course::learner::Progress;
+use giveway_course::lesson::{Id, Value};
+use giveway_model::{Cell, Ground};
+
+use super::grading::judge;
+use super::handins::handed;
+use super::shipped;
+
+fn guess(number: u32, solved: bool) -> Work {
+    let value = Value::Number(number);
+    Work {
+        step: 1,
+        answer: Some(Answer::Value { value }),
+        solved,
+        tries: 2,
+        ..Work::default()
+    }
+}
+
+fn blocked(x: u32, y: u32, solved: bool) -> Work {
+    let mut edits = Edits::default();
+    let cell = Cell::new(x, y);
+    let ground = Ground::Obstacle;
+    edits
+        .cells
+        .push(giveway_course::handin::CellEdit { cell, ground });
+    Work {
+        step: 3,
+        answer: Some(Answer::Edits(edits)),
+        solved,
+        tries: 1,
+        ..Work::default()
+    }
+}
+
+#[test]
+fn cards_show_what_the_lecturer_sees() {
+    let lesson = shipped::lesson("room-to-pass");
+    let made = handed(
+        "room-to-pass",
+        &lesson,
+        "Ada",
+        vec![guess(9, true), blocked(3, 1, false)],
+    );
+    let all = cards(&made, &lesson);
+    let states: Vec<String> = all.iter().map(|card| card.state_words()).collect();
+    assert_eq!(
+        states,
+        ["solved, 2 tries", "not tried", "not solved, 1 try"]
+    );
+    assert_eq!(all[1].state, CardState::NotTried);
+    assert_eq!(all[2].number, 3);
+    assert_eq!(all[2].answer, "(3, 1) an obstacle");
+    let shown = all[2].shown.as_ref().unwrap();
+    assert_ne!(shown.scene, shown.start);
+    assert_eq!(summary(&all), "1 of 3 solved · 3 tries");
+}
+
+#[test]
+fn the_form_saves_a_file_and_copies_a_link() {
+    let lesson = shipped::lesson("room-to-pass");
+    let id: Id = "room-to-pass".parse().unwrap();
+    let progress = Progress::default();
+    let of = Subject {
+        progress: &progress,
+        id: &id,
+        lesson: &lesson,
+    };
+    let form = Form::default();
+    assert!(form.name_hint(of).is_some());
+    let (form, none) = form.reduce(FormAction::Name("Ada L.".into()), of);
+    assert_eq!(
+        (none, form.name_hint(of), form.no_link(of)),
+        (None, None, None)
+    );
+    let (form, effect) = form.reduce(FormAction::Save, of);
+    let Some(FormEffect::Save { name, text }) = effect else {
+        panic!("{effect:?}");
+    };
+    assert_eq!(name, "room-to-pass-ada-l.json");
+    assert_eq!(read(&text).unwrap(), form.made(of));
+    assert_eq!(form.done, Some(Done::Saved));
+    let (form, effect) = form.reduce(FormAction::Copy, of);
+    let Some(FormEffect::Copy(letters)) = effect else {
+        panic!("{effect:?}");
+    };
+    assert!(letters.starts_with(link::KEY));
+    assert_eq!(read(&letters).unwrap(), form.made(of));
+    assert!(form.done_words().unwrap().contains("lecturer"));
+}
+
+#[test]
+fn a_class_is_looked_at_cell_by_cell() {
+    let lesson = shipped::lesson("room-to-pass");
+    let given = Given::new("room-to-pass".parse().unwrap(), Rc::new(lesson.clone()));
+    let mut class = Class::new([given]);
+    let mut add = |who: &str, works: Vec<Work>| {
+        class.add(
+            who,
+            None,
+            &write(&handed("room-to-pass", &lesson, who, works)),
+        );
+    };
+    add("Student 1", vec![guess(9, true), blocked(3, 1, true)]);
+    add("Student 2", vec![guess(7, true), blocked(0, 0, true)]);
+    judge(&mut class);
+    let looking = Looking::default();
+    let lies = looking.to_look_at(&class);
+    assert_eq!(
+        lies,
+        [Chosen { file: 1, step: 1 }, Chosen { file: 1, step: 3 }]
+    );
+    let next = LookAction::LookAt(true);
+    let looking = looking.reduce(next, &class).reduce(next, &class);
+    assert_eq!(looking.chosen, Some(lies[1]));
+    let said = looking.said(&class).unwrap();
+    assert_eq!(
+        (said.head, said.who.as_str()),
+        ("Says solved, is not", "Student 2")
+    );
+    assert_eq!(said.answer, "(0, 0) an obstacle");
+    assert!(!said.reason.is_empty());
+    let aloud = looking.aloud(&class).unwrap();
+    assert_eq!(
+        aloud,
+        "Student 2, 3 Block one cell: says solved, is not, 1 try"
+    );
+    let shown = looking.shown(&class).unwrap();
+    assert!(shown.scene.map[0].starts_with('#'), "{:?}", shown.scene.map);
+    let back = looking.reduce(LookAction::LookAt(false), &class);
+    assert_eq!(back.chosen, Some(lies[0]));
+    let back = back.reduce(LookAction::LookAt(false), &class);
+    assert_eq!(back.chosen, Some(lies[1]));
+    // Rows by name: the first is Student 1; arrows stay within the table.
+    let looking = looking.reduce(LookAction::Order(Order::Name), &class);
+    let up = LookAction::Move {
+        tasks: -9,
+        rows: -9,
+    };
+    let looking = looking.reduce(up, &class);
+    assert_eq!(looking.chosen, Some(Chosen { file: 0, step: 1 }));
+    assert_eq!(looking.said(&class).unwrap().head, "Solved");
+    let down = LookAction::Move { tasks: 1, rows: 1 };
+    let looking = looking.reduce(down, &class);
+    assert_eq!(looking.chosen, Some(Chosen { file: 1, step: 2 }));
+    assert_eq!(looking.said(&class).unwrap().head, "Not tried");
+    assert_eq!(looking.shown(&class), None);
+    let none = looking.reduce(LookAction::Choose(None), &class);
+    assert_eq!(none.said(&class), None);
+}
