@@ -51,6 +51,31 @@ describe("the course", () => {
     await course.contents.waitFor({ state: "detached" });
   }, { screens: BOTH });
 
+  flow("takes a guess without answers to pick from, and shows it beside what is proved", async (playground, { page }) => {
+    const course = new Course(playground);
+    await course.open();
+    await course.contents.getByRole("button", { name: /^Rules of the road/ }).click();
+    await course.at("A zone");
+    await course.next.click();
+    await course.at("What does a limit cost?");
+    const field = course.lesson.getByRole("textbox");
+    await field.fill("one");
+    await course.says(/Type a whole number, such as 12\./);
+    await field.fill("1");
+    await page.keyboard.press("Enter");
+    await course.says(/\b1 ?your guess 2 ?proved A1 waits 2 steps until A2 is out/);
+    await playground.picture("course-price");
+
+    await course.lesson.getByRole("button", { name: "Course" }).click();
+    await course.contents.getByRole("button", { name: /^Pick, then drop/ }).click();
+    await course.lesson.getByRole("button", { name: "Step 3: Three rules, no plan" }).click();
+    await course.at("Three rules, no plan");
+    await playground.picture("course-rules");
+    await course.lesson.getByRole("button", { name: "A1 arrives by 9" }).click();
+    await course.says(/A1 arrives by 9 ?your guess A1 is at \(5, 1\) before A2 is at \(1, 1\) ?proved/);
+    await playground.picture("course-rule-found");
+  }, { screens: BOTH });
+
   flow("shows what a lesson is about: its board plays while somebody points at it", async (playground, { page }) => {
     const course = new Course(playground);
     await course.open();

@@ -150,6 +150,8 @@ describe("the geometry", () => {
     await playground.page.getByRole("searchbox", { name: "Find a term" }).waitFor();
   });
   state("a guess in a lesson", (playground) => taught(playground, /^Room to pass/, "Step 2: How long will they need?"), { tabs: [] });
+  state("a price in a lesson", (playground) => taught(playground, /^Rules of the road/, "Step 2: What does a limit cost?"), { tabs: [] });
+  state("a rule to pick in a lesson", (playground) => taught(playground, /^Pick, then drop/, "Step 3: Three rules, no plan"), { tabs: [] });
   state("a task of a lesson", (playground) => taught(playground, /^One after the other/, "Step 2: An order that works"), { tabs: [] });
   state("a robot led in a lesson", (playground) => taught(playground, /^Two robots, one cell/, "Step 4: Mend it"), { tabs: [] });
   state("the menu", async (playground) => {

@@ -5,6 +5,7 @@
 //! There is a file for each kind of task; [`words`] makes sentences of verdicts.
 
 pub(crate) mod ask;
+mod audited;
 mod brought;
 mod change;
 mod choose;

@@ -1,12 +1,10 @@
 //! Whether a statement holds: what must be asked, and what the answers say.
 
-use giveway_model::check::Violation;
 use giveway_model::{Cost, Objective};
-use giveway_solve::audit::{AuditAnswer, AuditStatus};
 use giveway_solve::{Request, Response, Status, explain};
 
 use super::proved::{self, Proved};
-use super::{Situation, Why, ask, rules};
+use super::{Situation, Why, ask, audited, rules};
 use crate::lesson::Statement;
 use crate::port::Evidence;
 
@@ -29,7 +27,7 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
-    fn of(holds: bool, why: Why, evidence: Evidence) -> Self {
+    pub(super) fn of(holds: bool, why: Why, evidence: Evidence) -> Self {
         let held = if holds { Held::Yes } else { Held::No };
         Self {
             held,
@@ -119,10 +117,10 @@ pub(crate) fn decide(
                 price.evidence,
             )
         }),
-        Statement::Legal {} => legal(responses.first()),
-        Statement::Broken { rule } => broken(*rule, responses.first()),
-        Statement::Best {} => best_of_all(responses.first(), true),
-        Statement::Beaten {} => best_of_all(responses.first(), false),
+        Statement::Legal {} => audited::legal(responses.first()),
+        Statement::Broken { rule } => audited::broken(*rule, responses.first()),
+        Statement::Best {} => audited::best_of_all(responses.first(), true),
+        Statement::Beaten {} => audited::best_of_all(responses.first(), false),
     };
     outcome.unwrap_or_else(|why| Outcome {
         held: Held::Unknown,
@@ -225,83 +223,6 @@ fn apart(costs: [Cost; 2], response: Option<&Response>) -> Result<Outcome, Why> 
         Why::Points { count, costs },
         evidence,
     ))
-}
-
-/// The audit of a plan that breaks no rule, else what it breaks.
-fn audit(response: Option<&Response>) -> Result<Result<&AuditAnswer, Outcome>, Why> {
-    let Some(Response::Audited(audit)) = response else {
-        return Err(proved::unexpected(response));
-    };
-    Ok(match audit.violations.first() {
-        None => Ok(audit),
-        Some(violation) => {
-            let evidence = Evidence {
-                time: Some(violation.time),
-                violations: audit.violations.clone(),
-                ..Evidence::default()
-            };
-            Err(Outcome::of(false, Why::Broken(violation.clone()), evidence))
-        }
-    })
-}
-
-fn legal(response: Option<&Response>) -> Result<Outcome, Why> {
-    Ok(match audit(response)? {
-        Ok(audit) => Outcome::of(audit.legal, Why::Legal, Evidence::default()),
-        Err(broken) => broken,
-    })
-}
-
-/// Whether a plan breaks a rule of the scene's own.
-fn broken(rule: u32, response: Option<&Response>) -> Result<Outcome, Why> {
-    let Some(Response::Audited(audit)) = response else {
-        return Err(proved::unexpected(response));
-    };
-    let is_it = |violation: &&Violation| {
-        let broken = violation.broken.as_ref();
-        broken.is_some_and(|broken| broken.index == rule)
-    };
-    Ok(match audit.violations.iter().find(is_it) {
-        None => Outcome::of(false, Why::Keeps { rule }, Evidence::default()),
-        Some(violation) => {
-            let evidence = Evidence {
-                time: Some(violation.time),
-                violations: vec![violation.clone()],
-                ..Evidence::default()
-            };
-            Outcome::of(true, Why::Broken(violation.clone()), evidence)
-        }
-    })
-}
-
-/// Whether a plan is proved best, or (not `best`) a better one is known.
-fn best_of_all(response: Option<&Response>, best: bool) -> Result<Outcome, Why> {
-    let audit = match audit(response)? {
-        Ok(audit) => audit,
-        Err(broken) => return Ok(broken),
-    };
-    let (Some(costs), Some(first)) = (audit.costs, audit.first_cost()) else {
-        return Err(Why::Unknown(audit.reason.clone()));
-    };
-    if audit.status == AuditStatus::Optimal && audit.reach.is_complete() {
-        let value = costs.get(first);
-        let why = Why::Best { cost: first, value };
-        return Ok(Outcome::of(best, why, Evidence::default()));
-    }
-    let (Some(better), Some(plan)) = (audit.better_costs, &audit.better) else {
-        return Err(Why::Unknown(audit.reason.clone()));
-    };
-    let cost = first_better(audit.objective.costs(), &costs, &better).unwrap_or(first);
-    let why = Why::NotBest {
-        cost,
-        value: costs.get(cost),
-        best: better.get(cost),
-    };
-    let evidence = Evidence {
-        plan: Some(plan.clone()),
-        ..Evidence::default()
-    };
-    Ok(Outcome::of(!best, why, evidence))
 }
 
 /// The first cost in which one plan differs from another.

@@ -37,7 +37,7 @@ fn judged(step: &Step, scene: &Scene, did: &Did) -> Verdict {
 }
 
 /// What is asked of a scene, perhaps with a plan, and told to who wants no guess.
-fn told(scene: &Json, plan: Option<Json>, what: Json) -> Why {
+fn told(scene: &Json, plan: Option<Json>, what: &Json) -> Why {
     let mut step = json!({ "title": "T", "text": ["T."], "scene": scene,
         "task": { "kind": "predict", "say": "What?", "what": what }, "reason": "So." });
     if let Some(paths) = plan {
@@ -58,7 +58,7 @@ fn robot(name: &str) -> Why {
 
 #[test]
 fn a_rule_costs_what_the_best_plan_costs_more() {
-    let price = |rules: Json| told(&row(&rules), None, json!({ "is": "price", "rule": 0 }));
+    let price = |rules: Json| told(&row(&rules), None, &json!({ "is": "price", "rule": 0 }));
     assert_eq!(price(json!([gap(1)])), number(1));
     assert_eq!(price(json!([gap(2)])), number(2));
     // Beside a rule that asks for more it costs nothing.
@@ -71,7 +71,7 @@ fn a_rule_costs_what_the_best_plan_costs_more() {
 #[test]
 fn one_rule_may_leave_no_plan() {
     let late = |by: u32| json!({ "kind": "arrive", "agents": ["A1"], "by": by });
-    let decides = |rules: Json| told(&row(&rules), None, json!({ "is": "decides" }));
+    let decides = |rules: Json| told(&row(&rules), None, &json!({ "is": "decides" }));
     let second = Why::Revealed(Value::Rule { rule: 1 });
     assert_eq!(decides(json!([gap(1), late(2)])), second);
     // A rule that is off is none.
@@ -89,7 +89,7 @@ fn who_is_first_is_so_in_every_best_plan() {
         told(
             &row(&json!([])),
             None,
-            json!({ "is": "first-at", "cell": [x, 0] }),
+            &json!({ "is": "first-at", "cell": [x, 0] }),
         )
     };
     assert_eq!(first(2), robot("A1"));
@@ -99,7 +99,7 @@ fn who_is_first_is_so_in_every_best_plan() {
         { "name": "A1", "start": [0, 1], "goal": [2, 1] },
         { "name": "A2", "start": [1, 2], "goal": [1, 0] }] });
     let middle = json!({ "is": "first-at", "cell": [1, 1] });
-    assert_eq!(told(&crossing, None, middle), Why::Differs);
+    assert_eq!(told(&crossing, None, &middle), Why::Differs);
 }
 
 #[test]
@@ -112,7 +112,7 @@ fn steps_are_lost_because_of_somebody() {
     let lesson = shipped::lesson("who-costs-whom");
     let plan = lesson.steps[1].plan.as_ref().unwrap();
     let paths = serde_json::to_value(&plan.paths).unwrap();
-    let ask = |what: Json| told(&scene, Some(paths.clone()), what);
+    let ask = |what: Json| told(&scene, Some(paths.clone()), &what);
     let delay = |robot: &str, because: Option<&str>| {
         ask(json!({ "is": "delay", "robot": robot, "because": because }))
     };
@@ -125,11 +125,11 @@ fn steps_are_lost_because_of_somebody() {
     assert_eq!(ask(json!({ "is": "costs-most" })), robot("A1"));
     // Without a plan there is no ledger.
     let most = json!({ "is": "loses-most" });
-    assert_eq!(told(&scene, None, most.clone()), Why::Untouched);
+    assert_eq!(told(&scene, None, &most), Why::Untouched);
     // Two that lose as much: none loses most.
     let idle = json!({ "A1": [[1, 0], [1, 0], [2, 0], [3, 0], [4, 0]],
                        "A2": [[0, 0], [0, 0], [1, 0], [2, 0], [3, 0]] });
-    assert_eq!(told(&row(&json!([])), Some(idle), most), Why::Unclear);
+    assert_eq!(told(&row(&json!([])), Some(idle), &most), Why::Unclear);
 }
 
 #[test]

@@ -100,7 +100,8 @@ fn words(open: &Open, value: &Value, reader: Reader<'_>) -> Html {
         Value::Robot(name) => reader.robot(name),
         Value::Rule { rule } => {
             let rule = open.scene().constraints.get(*rule as usize);
-            html! { { rule.map(Constraint::sentence).unwrap_or_default() } }
+            let words = rule.map_or_else(|| value.to_string(), Constraint::sentence);
+            html! { { words } }
         }
     }
 }

@@ -98,7 +98,9 @@ fn quantity(
                 robot(&format!("{place}.order[{index}]"), name, targets, faults);
             }
         }
-        Quantity::Changed { .. } => planned(step, faults),
+        Quantity::Changed { .. } | Quantity::LosesMost {} | Quantity::CostsMost {} => {
+            planned(step, faults);
+        }
         Quantity::Price { rule: number } => {
             rule(&format!("{place}.rule"), *number, targets, faults);
         }
@@ -123,7 +125,6 @@ fn quantity(
             }
             planned(step, faults);
         }
-        Quantity::LosesMost {} | Quantity::CostsMost {} => planned(step, faults),
         Quantity::Waits {} | Quantity::Plans {} | Quantity::Node { .. } => {}
     }
 }
