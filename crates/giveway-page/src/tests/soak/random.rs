@@ -7,7 +7,7 @@ use super::Session;
 use crate::draw::Shape;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
-use crate::inside::{InsideAction, Method};
+use crate::inside::{HandAction, InsideAction, Method};
 use crate::ledger::{LedgerAction, LedgerLit};
 use crate::planners::By;
 use crate::steering::Lead;
@@ -58,7 +58,7 @@ impl Session {
 
     fn inside(&mut self) -> InsideAction {
         let n = self.rng.usize(0..6);
-        match self.rng.u8(0..15) {
+        match self.rng.u8(0..16) {
             0..2 => InsideAction::Show(n > 0),
             // Without a clock CBS has no end where there is no plan.
             2..5 => InsideAction::By(*self.rng.choice(&[Method::Proof, Method::Orders]).unwrap()),
@@ -71,6 +71,22 @@ impl Session {
             11 => InsideAction::Play(n > 0),
             12 => InsideAction::Tick,
             13 => InsideAction::Alone(n > 1),
+            // By hand every tree has an end. The planner's is not asked for.
+            14 => InsideAction::Hand(
+                *self
+                    .rng
+                    .choice(&[
+                        HandAction::Show(true),
+                        HandAction::Conflict(n),
+                        HandAction::Robot(n),
+                        HandAction::Split,
+                        HandAction::Split,
+                        HandAction::TakeBack,
+                        HandAction::Again,
+                        HandAction::Restart,
+                    ])
+                    .unwrap(),
+            ),
             _ => *self
                 .rng
                 .choice(&[
