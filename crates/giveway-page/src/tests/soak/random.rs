@@ -4,10 +4,11 @@ use giveway_model::{Cell, Question};
 use giveway_solve::plan::Planner;
 
 use super::Session;
+use super::by_hand::by_hand;
 use crate::draw::Shape;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
-use crate::inside::{HandAction, InsideAction, Method};
+use crate::inside::{InsideAction, Method};
 use crate::ledger::{LedgerAction, LedgerLit};
 use crate::planners::By;
 use crate::steering::Lead;
@@ -71,22 +72,7 @@ impl Session {
             11 => InsideAction::Play(n > 0),
             12 => InsideAction::Tick,
             13 => InsideAction::Alone(n > 1),
-            // By hand every tree has an end. The planner's is not asked for.
-            14 => InsideAction::Hand(
-                *self
-                    .rng
-                    .choice(&[
-                        HandAction::Show(true),
-                        HandAction::Conflict(n),
-                        HandAction::Robot(n),
-                        HandAction::Split,
-                        HandAction::Split,
-                        HandAction::TakeBack,
-                        HandAction::Again,
-                        HandAction::Restart,
-                    ])
-                    .unwrap(),
-            ),
+            14 => by_hand(&mut self.rng, n),
             _ => *self
                 .rng
                 .choice(&[
