@@ -152,29 +152,23 @@ fn split(state: &mut State) {
     });
 }
 
-/// The node that is looked at after a split: the first branch that can be split; else the
-/// newest open node; else the plan.
+/// The node that is looked at after a split: a branch of it that can be split and costs less
+/// than any plan; else the newest such node; else the plan.
 fn next(run: &HandRun, split: u64, branches: &[ToldBranch; 2]) -> u64 {
     let made = run.tree.nodes.len() as u64;
-    let is_open = |branch: &ToldBranch| branch.cost.is_some() && branch.conflicts > 0;
-    if let Some(place) = branches.iter().position(is_open) {
-        return made + place as u64;
-    }
     let others = run.tree.nodes.iter().rev().filter(|node| node.id != split);
-    let costs = branches.iter().enumerate().rev();
-    let plans = costs.filter_map(|(place, branch)| Some((branch.cost?, made + place as u64)));
-    let known = others.clone().filter(|node| node.conflicts == 0);
-    let plans = plans.chain(known.filter_map(|node| Some((node.cost?, node.id))));
-    let plan = plans.min();
-    let mut open = others.filter(|node| {
-        let is_cheaper = plan.is_none_or(|(cost, _)| node.cost < Some(cost));
-        matches!(node.fate, NodeFate::Open) && node.conflicts > 0 && is_cheaper
+    let others = others.filter(|node| matches!(node.fate, NodeFate::Open));
+    let others = others.filter_map(|node| Some((node.id, node.cost?, node.conflicts)));
+    let own = branches.iter().enumerate();
+    let own = own.filter_map(|(place, own)| Some((made + place as u64, own.cost?, own.conflicts)));
+    let all: Vec<(u64, u32, u64)> = own.chain(others).collect();
+    let plans = all.iter().filter(|(.., conflicts)| *conflicts == 0);
+    let plan = plans.map(|&(id, cost, _)| (cost, id)).min();
+    let mut open = all.iter().filter(|(_, cost, conflicts)| {
+        *conflicts > 0 && plan.is_none_or(|(least, _)| *cost < least)
     });
-    match (open.next(), plan) {
-        (Some(node), _) => node.id,
-        (None, Some((_, plan))) => plan,
-        (None, None) => split,
-    }
+    let open = open.next().map(|(id, ..)| *id);
+    open.or(plan.map(|(_, id)| id)).unwrap_or(split)
 }
 
 fn take_back(state: &mut State) {

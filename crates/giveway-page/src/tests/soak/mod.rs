@@ -1,6 +1,7 @@
 //! Whatever a person does, in whatever order: nothing is lost, nothing panics, and
 //! what cannot be together never is.
 
+mod by_hand;
 mod elsewhere;
 mod floor;
 mod passing;

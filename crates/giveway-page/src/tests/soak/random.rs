@@ -4,6 +4,7 @@ use giveway_model::{Cell, Question};
 use giveway_solve::plan::Planner;
 
 use super::Session;
+use super::by_hand::by_hand;
 use crate::draw::Shape;
 use crate::find::FindAction;
 use crate::freedom::FreedomAction;
@@ -58,7 +59,7 @@ impl Session {
 
     fn inside(&mut self) -> InsideAction {
         let n = self.rng.usize(0..6);
-        match self.rng.u8(0..15) {
+        match self.rng.u8(0..16) {
             0..2 => InsideAction::Show(n > 0),
             // Without a clock CBS has no end where there is no plan.
             2..5 => InsideAction::By(*self.rng.choice(&[Method::Proof, Method::Orders]).unwrap()),
@@ -71,6 +72,7 @@ impl Session {
             11 => InsideAction::Play(n > 0),
             12 => InsideAction::Tick,
             13 => InsideAction::Alone(n > 1),
+            14 => by_hand(&mut self.rng, n),
             _ => *self
                 .rng
                 .choice(&[
