@@ -1,9 +1,9 @@
 //! What a sweep combines, as a file of TOML says it.
 
 use giveway_model::{Fault, Objective};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{Certificates, Clock, Method};
+use crate::{Certificates, Clock, Method, PlannerSpec};
 
 /// A sweep: every instance with every number of agents, objective and planner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,9 +14,12 @@ pub struct Spec {
     /// The objectives, where they are not the instances' own: costs separated by commas.
     #[serde(default)]
     pub objectives: Vec<String>,
-    /// The planners; by default the search for the best plan.
-    #[serde(default)]
+    /// The planners of this project; by default the search for the best plan.
+    #[serde(default, deserialize_with = "own_methods")]
     pub planners: Vec<Method>,
+    /// Planners of others, as commands.
+    #[serde(default, rename = "planner")]
+    pub commands: Vec<PlannerSpec>,
     /// Seconds for each task.
     #[serde(default)]
     pub time_limit: Option<f64>,
@@ -37,6 +40,24 @@ pub struct Spec {
     /// what one of them may take. By default they get none.
     #[serde(default)]
     pub certificates: Option<Certificates>,
+}
+
+/// Reads methods of this project; names of others stand with their commands.
+fn own_methods<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Method>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(try_from = "String")]
+    struct Own(Method);
+
+    impl TryFrom<String> for Own {
+        type Error = String;
+
+        fn try_from(text: String) -> Result<Self, String> {
+            text.parse().map(Self)
+        }
+    }
+
+    let own = Vec::<Own>::deserialize(deserializer)?;
+    Ok(own.into_iter().map(|Own(method)| method).collect())
 }
 
 /// Instances of one kind.
@@ -147,6 +168,7 @@ impl Spec {
             return Err(Fault::at("skip-after", "0", expected));
         }
         spec.objectives()?;
+        spec.check_commands()?;
         Ok(spec)
     }
 
@@ -167,12 +189,31 @@ impl Spec {
         self.objectives.iter().enumerate().map(read).collect()
     }
 
-    /// The planners.
-    pub(crate) fn methods(&self) -> Vec<Method> {
-        match self.planners.as_slice() {
+    /// Checks the planners of others.
+    fn check_commands(&self) -> Result<(), Fault> {
+        for (index, spec) in self.commands.iter().enumerate() {
+            let place = format!("planner[{index}]");
+            let checked = spec.check(self.time_limit.is_some());
+            checked.map_err(|fault| fault.of_part(&place))?;
+            let mut before = self.commands.iter().take(index);
+            if before.any(|other| other.name == spec.name) {
+                let found = format!("\"{}\" again", spec.name);
+                let expected = "another name for each planner";
+                return Err(Fault::at("name", found, expected).of_part(&place));
+            }
+        }
+        Ok(())
+    }
+
+    /// The planners, those of others with their commands.
+    pub(crate) fn methods(&self) -> Vec<(Method, Option<&PlannerSpec>)> {
+        let own = match self.planners.as_slice() {
             [] => vec![Method::Search],
             planners => planners.to_vec(),
-        }
+        };
+        let own = own.into_iter().map(|method| (method, None));
+        let commands = self.commands.iter().map(|spec| (spec.method(), Some(spec)));
+        own.chain(commands).collect()
     }
 }
 

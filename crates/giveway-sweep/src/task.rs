@@ -9,21 +9,24 @@ use giveway_solve::Limits;
 use giveway_solve::plan::Planner;
 use serde::{Deserialize, Serialize};
 
+use crate::planner::{PlannerSpec, wrong_name};
 use crate::{Clock, Shard, Spec};
 
 /// Who plans.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub enum Method {
     /// The search for the best plan, with its proof.
     Search,
     /// A planner of the textbook.
     Planner(Planner),
+    /// A planner of others, by its name.
+    Command(String),
 }
 
 impl Method {
     /// Whether it proves that a plan is best.
-    pub const fn proves(self) -> bool {
+    pub const fn proves(&self) -> bool {
         matches!(self, Self::Search | Self::Planner(Planner::Cbs))
     }
 }
@@ -33,10 +36,12 @@ impl fmt::Display for Method {
         match self {
             Self::Search => f.write_str("search"),
             Self::Planner(planner) => planner.fmt(f),
+            Self::Command(name) => f.write_str(name),
         }
     }
 }
 
+/// Reads the search and the planners of the textbook; those of others have names of a spec.
 impl FromStr for Method {
     type Err = String;
 
@@ -54,8 +59,12 @@ impl FromStr for Method {
 impl TryFrom<String> for Method {
     type Error = String;
 
+    /// In tasks and rows, other names are those of commands.
     fn try_from(text: String) -> Result<Self, String> {
-        text.parse()
+        text.parse().or_else(|error| match wrong_name(&text) {
+            None => Ok(Self::Command(text)),
+            Some(_) => Err(error),
+        })
     }
 }
 
@@ -79,6 +88,9 @@ pub struct Task {
     pub objective: Option<Objective>,
     /// Who plans.
     pub planner: Method,
+    /// Its command, where it is a planner of others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command: Option<PlannerSpec>,
     /// The budget.
     #[serde(default)]
     pub limits: Limits,
@@ -121,6 +133,9 @@ impl Task {
     /// What it has in common with tasks of other numbers of agents.
     pub fn series(&self) -> String {
         let mut series = format!("{} planner={}", self.instance, self.planner);
+        if let Some(spec) = &self.command {
+            series.extend([" command=", &spec.fingerprint()]);
+        }
         if let Some(objective) = &self.objective {
             series.extend([" objective=", &objective.to_string()]);
         }
@@ -171,15 +186,17 @@ impl Spec {
                     };
                     for agents in numbers {
                         for objective in self.objectives()? {
-                            for planner in self.methods() {
+                            for (planner, command) in self.methods() {
+                                let wanted = certificate.filter(|_| planner == Method::Search);
                                 tasks.push(Task {
                                     instance: path.clone(),
                                     agents,
                                     objective: objective.clone(),
                                     planner,
+                                    command: command.cloned(),
                                     limits,
                                     clock: self.clock,
-                                    certificate: certificate.filter(|_| planner == Method::Search),
+                                    certificate: wanted,
                                 });
                             }
                         }
