@@ -306,7 +306,7 @@ fn what_is_no_plan_is_nothing_or_unreadable() {
 #[test]
 fn what_a_planner_would_not_know_and_a_missing_program_are_no_failures() {
     let mut case = Case::script("true");
-    let scene = SCENE.replace("\"...\", \"...\"", "\".s.\", \"...\"");
+    let scene = SCENE.replace("\"...\", \"...\"", "\".~.\", \"...\"");
     let goal = "\"goal\": [2, 0]";
     let scene = scene.replace(goal, &format!("{goal}, \"waypoints\": [[1, 1]]"));
     case.loaded.instance = read_instance(&scene).unwrap();
