@@ -198,8 +198,8 @@ fn what_is_no_plan_is_nothing_or_unreadable() {
         ("head -c 64000001 /dev/zero >\"$2\"", "more than 64 MB"),
         ("cp \"$0\" \"$2\"", ""),
         (
-            "printf \"solution=\\n0:(0,0),\\n1:(1,0),\\n2:(2,0),\\n\" >\"$2\"",
-            "robot",
+            "printf \"solution=\\n0:(0,0),(0,1),(2,1),\\n\" >\"$2\"",
+            "robots",
         ),
     ] {
         let (kind, how) = failure(script);

@@ -28,7 +28,7 @@ pub(super) use first::First;
 pub(super) use gap::Gap;
 use gap::Known;
 pub(super) use html::page;
-pub(super) use line::{Kind, Line};
+pub(super) use line::Line;
 pub(super) use plot::both;
 pub(super) use words::{sheet, text};
 

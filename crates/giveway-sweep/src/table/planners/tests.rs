@@ -216,10 +216,8 @@ fn the_page_is_one_file_without_scripts_and_names_are_no_markup() {
         .descendants()
         .filter(|node| node.attribute("font-weight").is_some());
     let names: Vec<&str> = names.filter_map(|node| node.text()).collect();
-    assert_eq!(
-        names,
-        ["search", "mine", "yours", "search", "mine", "yours"]
-    );
+    // Of three instances of five robots yours solved one.
+    assert_eq!(names, ["search", "mine", "yours", "search", "mine"]);
 }
 
 #[test]
