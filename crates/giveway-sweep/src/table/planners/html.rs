@@ -27,9 +27,10 @@ pub(in crate::table) fn page(comparisons: &[Comparison]) -> String {
 fn sheet(html: &mut String, comparison: &Comparison) {
     let (bold, rest) = claim(comparison);
     let bad = comparison.contradictions.iter();
-    let bad: String = bad
+    let bad: Vec<String> = bad
         .map(|sentence| format!("<p class=\"bad\">{}</p>", escaped(sentence)))
         .collect();
+    let bad = bad.concat();
     let _ = writeln!(
         html,
         "<article class=\"sheet\">\n<header><div><h1>{TITLE}</h1><p class=\"sub\">{}</p></div>{BRAND}</header>\n<div class=\"claim\"><p><b>{bold}</b> {rest}</p>{bad}</div>",

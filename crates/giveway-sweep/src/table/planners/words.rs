@@ -1,5 +1,7 @@
 //! The comparison as a table, and its sentences.
 
+use std::time::Duration;
+
 use giveway_model::words::count;
 
 use super::line::Kind;
@@ -140,8 +142,7 @@ pub(super) fn claim(comparison: &Comparison) -> (String, String) {
     if *impossible > 0 {
         let has = if *impossible == 1 { "has" } else { "have" };
         rest.push(format!(
-            "{} more {has} no plan, which is proved, and {has} no part in this.",
-            impossible
+            "{impossible} more {has} no plan, which is proved, and {has} no part in this."
         ));
     }
     (bold, rest.join(" "))
@@ -161,7 +162,10 @@ pub(super) fn shared(comparison: &Comparison) -> String {
 /// How many runs there were, and how long they took in sum.
 pub(super) fn runs(comparison: &Comparison) -> String {
     let (runs, seconds) = comparison.runs;
-    let minutes = seconds as u64 / 60;
+    let minutes = Duration::try_from_secs_f64(seconds)
+        .unwrap_or_default()
+        .as_secs()
+        / 60;
     let took = match (minutes / 60, minutes % 60) {
         (0, 0) => format!("{seconds:.1} s"),
         (0, minutes) => format!("{minutes} min"),
