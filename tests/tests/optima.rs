@@ -115,7 +115,7 @@ fn rows_are_made_again_with_the_same_certificate() {
         let task = tasks.iter().find(is_it).unwrap();
         let loaded = folder.load(task).unwrap();
         // No clock: nothing but the size ends the work.
-        let made = run(task, &loaded.instance, loaded.map.as_deref(), &SilentHost);
+        let made = run(task, &loaded, &SilentHost);
         let name = row.name();
         let cost: Cost = task.objective.as_ref().unwrap().costs()[0];
         assert_eq!(

@@ -6,7 +6,7 @@ use giveway_model::Fault;
 use giveway_model::format::read_text;
 use giveway_solve::Host;
 use giveway_sweep::table::{Show, Written, write};
-use giveway_sweep::{Folder, Row, Spec, Task, Unreadable, read, run};
+use giveway_sweep::{Folder, Row, Spec, Task, Unreadable, read};
 use serde::{Deserialize, Serialize};
 
 use crate::call::{Code, Failure};
@@ -96,13 +96,12 @@ pub(crate) fn tasks(request: &SpecRequest) -> Result<Listed, Failure> {
     })
 }
 
-/// Does a task.
+/// Does a task. Where it was stopped there is a row that says no more: what stopped it is
+/// raised instead.
 pub(crate) fn row(request: &TaskRequest, host: &dyn Host) -> Row {
     let task = &request.task;
-    match Folder::new(&request.folder).load(task) {
-        Ok(loaded) => run(task, &loaded.instance, loaded.map.as_deref(), host),
-        Err(reason) => Row::error(task, reason),
-    }
+    let row = Folder::new(&request.folder).row(task, host);
+    row.unwrap_or_else(|| Row::error(task, "It was stopped.".to_owned()))
 }
 
 /// The row of a task that is not tried.
@@ -127,6 +126,6 @@ pub(crate) fn table(request: &TableRequest) -> Result<String, Failure> {
     let rows = known(&request.results)?;
     write(&rows, request.show, request.to).map_err(|sentence| {
         let found = sentence.trim_end_matches('.').to_owned();
-        Failure::input(Fault::at("to", found, "markdown, csv or svg"))
+        Failure::input(Fault::at("to", found, "markdown, csv, svg or html"))
     })
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+import sys
 from pathlib import Path
 
 import pytest
@@ -214,3 +215,55 @@ def test_a_series_that_became_too_hard_is_given_up(spec: Path) -> None:
     with distributed.Client(processes=False, dashboard_address=None) as client:
         assert dask.run(spec, client, spec.parent / "results") == 2 * 2
     assert sweep.table(spec.parent / "results", "rows", "csv").count("skipped") == 2
+
+
+STRAIGHT = """
+import sys
+line = open(sys.argv[1]).read().splitlines()[1].split("\\t")
+x, y, goal_x, goal_y = map(int, line[4:8])
+cells = [(y, x)]
+while (x, y) != (goal_x, goal_y):
+    if x != goal_x:
+        x += 1 if x < goal_x else -1
+    else:
+        y += 1 if y < goal_y else -1
+    cells.append((y, x))
+open(sys.argv[2], "w").write("Agent 0: " + "".join(f"({a},{b})->" for a, b in cells) + "\\n")
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="planners of others run on Unix only")
+def test_planners_of_others_are_judged_and_set_beside_the_proof(spec: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    from giveway.sweep import dask
+
+    (spec.parent / "straight.py").write_text(STRAIGHT)
+    spec.write_text(f"""
+        objectives = ["sum-of-costs"]
+        clock = "cpu"
+        time-limit = 100
+        [[instances]]
+        files = ["empty-8-8-even-1.scen"]
+        agents = 1
+        [[planner]]
+        name = "straight"
+        command = "'{sys.executable}' straight.py {{scen}} {{out}}"
+        [[planner]]
+        name = "crashes"
+        command = "sh -c 'exit 4' {{map}} {{out}}"
+    """)
+    results = spec.parent / "results"
+    with distributed.Client(processes=False, dashboard_address=None) as client:
+        assert dask.run(spec, client, results) == 3
+        assert dask.run(spec, client, results) == 0
+    here = spec.parent / "here"
+    run_here(spec, here)
+    for place in (results, here):
+        found = [line.split(",") for line in sweep.table(place, "planners", "csv").splitlines()[1:]]
+        assert [(row[1], row[3], row[4]) for row in found] == [
+            ("search", "1", "1"), ("crashes", "0", "1"), ("straight", "1", "1"),
+        ]
+    with sweep.Results(here, "other") as kept:
+        failed = [row for row in kept.done.values() if row["status"] == "failed"]
+    assert [(row["failure"], row["reason"][:6]) for row in failed] == [("crashed", "exit 4")]
+    assert sweep.table(results, "planners", "html").startswith("<!doctype html>")

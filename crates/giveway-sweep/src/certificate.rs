@@ -98,7 +98,7 @@ mod tests {
     use giveway_solve::SilentHost;
 
     use super::*;
-    use crate::{Row, RowStatus, Spec, run};
+    use crate::{Loaded, Row, RowStatus, Spec, run};
 
     /// Two agents that must pass each other at a side pocket.
     const SCENE: &str = r##"{ "giveway": 1, "map": ["....", "#.##"],
@@ -116,7 +116,8 @@ mod tests {
         let spec = Spec::read(&spec).unwrap();
         let files = |file: &str| Ok(vec![file.to_owned()]);
         let tasks = spec.tasks(&files, &|_| Ok(2)).unwrap();
-        run(&tasks[0], &read_instance(scene).unwrap(), None, &SilentHost)
+        let loaded = Loaded::of(read_instance(scene).unwrap());
+        run(&tasks[0], &loaded, &SilentHost)
     }
 
     #[test]

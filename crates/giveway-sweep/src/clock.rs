@@ -57,7 +57,7 @@ impl Host for Clocked<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{RowStatus, Spec, run};
+    use crate::{Loaded, RowStatus, Spec, run};
 
     /// A machine that is busy: a second on the wall each time that somebody looks, and
     /// hardly any of it for this task.
@@ -85,13 +85,14 @@ mod tests {
                         { "name": "b", "start": [3, 0], "goal": [0, 0] }"#;
         let text = format!("{{ {map}, \"agents\": [{agents}] }}");
         let instance = giveway_model::format::native::read_instance(&text).unwrap();
+        let loaded = Loaded::of(instance);
         let status = |clock: &str| {
             let spec = format!("{clock}\ntime-limit = 1\n[[instances]]\nfiles = [\"a.json\"]");
             let spec = Spec::read(&spec).unwrap();
             let files = |file: &str| Ok(vec![file.to_owned()]);
             let tasks = spec.tasks(&files, &|_| Ok(2)).unwrap();
             let looks = std::cell::Cell::new(0.0);
-            run(&tasks[0], &instance, None, &Busy { looks }).status
+            run(&tasks[0], &loaded, &Busy { looks }).status
         };
         assert_eq!(status("clock = \"cpu\""), RowStatus::Optimal);
         assert_ne!(status("clock = \"wall\""), RowStatus::Optimal);

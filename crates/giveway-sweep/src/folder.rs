@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use giveway_formats::movingai;
 use giveway_model::format::{native, read_text};
 use giveway_model::{Fault, Instance};
+use giveway_solve::Host;
 
-use crate::Task;
+use crate::{Row, Task, run};
 
 /// The folder of a spec: paths in the spec start from it.
 #[derive(Clone, Debug)]
@@ -20,6 +21,19 @@ pub struct Loaded {
     pub instance: Instance,
     /// The name of its map's file, without the ending.
     pub map: Option<String>,
+    /// The folder from which paths start, and in which planners of others run.
+    pub folder: PathBuf,
+}
+
+impl Loaded {
+    /// An instance that is in no file.
+    pub const fn of(instance: Instance) -> Self {
+        Self {
+            instance,
+            map: None,
+            folder: PathBuf::new(),
+        }
+    }
 }
 
 impl Folder {
@@ -86,6 +100,16 @@ impl Folder {
         Ok(scenario.routes.len())
     }
 
+    /// Does a task: reads its instance, and lets its planner work. `None` where somebody
+    /// stopped it: then nothing is known of it.
+    pub fn row(&self, task: &Task, host: &dyn Host) -> Option<Row> {
+        let row = match self.load(task) {
+            Ok(loaded) => run(task, &loaded, host),
+            Err(reason) => Row::error(task, reason),
+        };
+        (!host.cancelled()).then_some(row)
+    }
+
     /// Reads the instance of a task.
     ///
     /// # Errors
@@ -94,7 +118,13 @@ impl Folder {
         let path = self.0.join(&task.instance);
         let text = read(&path)?;
         if path.extension().is_some_and(|ending| ending == "scen") {
-            return scenario(&path, &text, task.agents);
+            let (instance, map) = scenario(&path, &text, task.agents)?;
+            let folder = self.0.clone();
+            return Ok(Loaded {
+                instance,
+                map,
+                folder,
+            });
         }
         if task.agents.is_some() {
             return Err(format!(
@@ -109,11 +139,17 @@ impl Folder {
         Ok(Loaded {
             instance,
             map: None,
+            folder: self.0.clone(),
         })
     }
 }
 
-fn scenario(path: &Path, text: &str, agents: Option<usize>) -> Result<Loaded, String> {
+/// The instance of a scenario, and the name of its map.
+fn scenario(
+    path: &Path,
+    text: &str,
+    agents: Option<usize>,
+) -> Result<(Instance, Option<String>), String> {
     let at = |fault: Fault| format!("{}: {fault}", path.display());
     let scenario = movingai::read_scenario(text).map_err(at)?;
     let named = scenario.map_name().unwrap_or_default();
@@ -130,7 +166,7 @@ fn scenario(path: &Path, text: &str, agents: Option<usize>) -> Result<Loaded, St
     let map = beside
         .file_stem()
         .map(|stem| stem.to_string_lossy().into_owned());
-    Ok(Loaded { instance, map })
+    Ok((instance, map))
 }
 
 fn read(path: &Path) -> Result<String, String> {

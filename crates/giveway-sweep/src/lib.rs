@@ -24,10 +24,13 @@
 //! # Ok::<(), giveway_model::Fault>(())
 //! ```
 
+mod agents;
 mod certificate;
 mod clock;
 mod folder;
+mod method;
 mod patience;
+mod planner;
 mod read;
 mod results;
 mod row;
@@ -37,14 +40,17 @@ mod spec;
 pub mod table;
 mod task;
 
+pub use agents::Agents;
 pub use certificate::{Certificates, RowCertificate};
 pub use clock::Clock;
 pub use folder::{Folder, Loaded};
+pub use method::Method;
 pub use patience::Patience;
+pub use planner::PlannerSpec;
 pub use read::{Unreadable, read};
 pub use results::{Results, line};
-pub use row::{Row, RowStatus, Took};
+pub use row::{Failure, Row, RowStatus, Took};
 pub use run::run;
 pub use shard::Shard;
-pub use spec::{Agents, Instances, Spec};
-pub use task::{Method, Task};
+pub use spec::{Instances, Spec};
+pub use task::Task;

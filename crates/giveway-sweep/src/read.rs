@@ -138,6 +138,7 @@ pub(crate) mod tests {
             agents: None,
             objective: None,
             planner: Method::Search,
+            command: None,
             limits: giveway_solve::Limits::default(),
             clock: crate::Clock::Wall,
             certificate: None,

@@ -20,6 +20,8 @@ pub enum RowStatus {
     Impossible,
     /// The budget ran out with neither.
     Unknown,
+    /// A planner of others did not solve it.
+    Failed,
     /// The planner has no method for something in the instance.
     Refused,
     /// The instance cannot be read, or is none.
@@ -36,9 +38,56 @@ impl RowStatus {
             Self::Feasible => "feasible",
             Self::Impossible => "impossible",
             Self::Unknown => "unknown",
+            Self::Failed => "failed",
             Self::Refused => "refused",
             Self::Error => "error",
             Self::Skipped => "skipped",
+        }
+    }
+}
+
+/// Why a planner of others did not solve a task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Failure {
+    /// It ended with an error, or by a signal.
+    Crashed,
+    /// It was ended, since its time was over.
+    Time,
+    /// It held more memory than it may.
+    Memory,
+    /// Its plan breaks a rule.
+    Illegal,
+    /// Its plan is legal, and costs something else than it says.
+    WrongCost,
+    /// It wrote nothing, or says itself that it found no plan.
+    Nothing,
+    /// What it wrote cannot be read as a plan.
+    Unreadable,
+}
+
+impl Failure {
+    /// All of them, in the order of tables.
+    pub const ALL: [Self; 7] = [
+        Self::Crashed,
+        Self::Time,
+        Self::Memory,
+        Self::Illegal,
+        Self::WrongCost,
+        Self::Nothing,
+        Self::Unreadable,
+    ];
+
+    /// As it stands at the head of a column.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Crashed => "crashed",
+            Self::Time => "time",
+            Self::Memory => "memory",
+            Self::Illegal => "illegal",
+            Self::WrongCost => "wrong cost",
+            Self::Nothing => "nothing",
+            Self::Unreadable => "unreadable",
         }
     }
 }
@@ -54,6 +103,9 @@ pub struct Took {
     /// CPU seconds to make its certificate and to check it, which are not among the others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub certificate_cpu_seconds: Option<f64>,
+    /// The most bytes of memory that a planner of others held at once, where that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_bytes: Option<u64>,
 }
 
 /// One result.
@@ -84,6 +136,12 @@ pub struct Row {
     pub costs: Option<Costs>,
     /// The proved lower bounds.
     pub bounds: BTreeMap<Cost, u32>,
+    /// Why a planner of others failed; the reason tells how.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub failure: Option<Failure>,
+    /// A few words about a planner of others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<String>,
     /// Why there is no plan or no proof, as a sentence.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
@@ -104,12 +162,14 @@ impl Row {
             map: None,
             agents: task.agents,
             objective: task.objective.clone(),
-            planner: task.planner,
+            planner: task.planner.clone(),
             status,
             complete: false,
             within: None,
             costs: None,
             bounds: BTreeMap::new(),
+            failure: None,
+            about: task.command.as_ref().and_then(|spec| spec.about.clone()),
             reason,
             certificate: None,
             took: Took::default(),

@@ -1,6 +1,5 @@
 //! One task, done.
 
-use giveway_model::Instance;
 use giveway_solve::plan::{PlanAnswer, PlanEnd, PlanRequest};
 use giveway_solve::words::reason;
 use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, serve};
@@ -8,12 +7,13 @@ use giveway_solve::{Host, Request, Response, SolveAnswer, SolveRequest, Status, 
 use crate::certificate::certify;
 use crate::clock::Clocked;
 use crate::row::Took;
-use crate::{Method, Row, RowStatus, Task};
+use crate::{Loaded, Method, Row, RowStatus, Task, planner};
 
 /// Does a task on its instance; the clocks of the host begin with it.
-pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host) -> Row {
+pub fn run(task: &Task, loaded: &Loaded, host: &dyn Host) -> Row {
+    let instance = &loaded.instance;
     let objective = task.objective.clone();
-    let request = match task.planner {
+    let request = match &task.planner {
         Method::Search => Request::Solve(SolveRequest {
             scene: instance.to_scene(),
             objective: objective.clone(),
@@ -25,8 +25,14 @@ pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host)
         Method::Planner(planner) => Request::Plan(PlanRequest {
             objective: objective.clone(),
             limits: task.limits,
-            ..PlanRequest::new(instance.to_scene(), planner)
+            ..PlanRequest::new(instance.to_scene(), *planner)
         }),
+        Method::Command(name) => {
+            return match &task.command {
+                Some(spec) => planner::row(task, spec, loaded, host),
+                None => Row::error(task, format!("There is no command of the planner {name}.")),
+            };
+        }
     };
     let (clock, limits) = (task.clock, task.certificate);
     let clocked = Clocked { clock, host };
@@ -34,7 +40,7 @@ pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host)
     let mut took = Took {
         cpu_seconds: host.cpu_seconds(),
         wall_seconds: host.wall_seconds(),
-        certificate_cpu_seconds: None,
+        ..Took::default()
     };
     let row = match response {
         Response::Solved(answer) => {
@@ -54,7 +60,7 @@ pub fn run(task: &Task, instance: &Instance, map: Option<&str>, host: &dyn Host)
         ),
     };
     Row {
-        map: map.map(str::to_owned),
+        map: loaded.map.clone(),
         agents: Some(instance.agents().len()),
         objective: Some(objective.unwrap_or_else(|| instance.objective().clone())),
         took,

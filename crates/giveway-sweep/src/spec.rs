@@ -1,9 +1,9 @@
 //! What a sweep combines, as a file of TOML says it.
 
 use giveway_model::{Fault, Objective};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use crate::{Certificates, Clock, Method};
+use crate::{Agents, Certificates, Clock, Method, PlannerSpec};
 
 /// A sweep: every instance with every number of agents, objective and planner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -14,9 +14,12 @@ pub struct Spec {
     /// The objectives, where they are not the instances' own: costs separated by commas.
     #[serde(default)]
     pub objectives: Vec<String>,
-    /// The planners; by default the search for the best plan.
-    #[serde(default)]
+    /// The planners of this project; by default the search for the best plan.
+    #[serde(default, deserialize_with = "own_methods")]
     pub planners: Vec<Method>,
+    /// Planners of others, as commands.
+    #[serde(default, rename = "planner")]
+    pub commands: Vec<PlannerSpec>,
     /// Seconds for each task.
     #[serde(default)]
     pub time_limit: Option<f64>,
@@ -39,6 +42,24 @@ pub struct Spec {
     pub certificates: Option<Certificates>,
 }
 
+/// Reads methods of this project; names of others stand with their commands.
+fn own_methods<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Method>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(try_from = "String")]
+    struct Own(Method);
+
+    impl TryFrom<String> for Own {
+        type Error = String;
+
+        fn try_from(text: String) -> Result<Self, String> {
+            text.parse().map(Self)
+        }
+    }
+
+    let own = Vec::<Own>::deserialize(deserializer)?;
+    Ok(own.into_iter().map(|Own(method)| method).collect())
+}
+
 /// Instances of one kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -49,78 +70,6 @@ pub struct Instances {
     /// How many agents; by default all that a file has.
     #[serde(default)]
     pub agents: Option<Agents>,
-}
-
-/// Numbers of agents.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "found no number of agents, expected 20, [5, 10] or { from = 5, to = 100, step = 5 }"
-)]
-pub enum Agents {
-    /// One number.
-    One(usize),
-    /// Each of these.
-    Each(Vec<usize>),
-    /// From a number to another one, both among them.
-    Range(Range),
-}
-
-/// Numbers at equal distances.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Range {
-    /// The first.
-    pub from: usize,
-    /// The last, where the step meets it; by default all that a scenario has.
-    #[serde(default)]
-    pub to: Option<usize>,
-    /// From one to the next.
-    #[serde(default = "one")]
-    pub step: usize,
-}
-
-const fn one() -> usize {
-    1
-}
-
-/// More numbers of agents than anybody wants, and more tasks than a folder can hold.
-const MOST: usize = 10_000_000;
-
-impl Agents {
-    /// The numbers, in their order; none where a file has fewer agents than the first of
-    /// them. `most` tells how many agents a file has.
-    ///
-    /// # Errors
-    /// When there is none, one is 0, or a step is 0; when a file tells no number.
-    pub(crate) fn numbers(
-        &self,
-        most: &dyn Fn() -> Result<usize, Fault>,
-    ) -> Result<Vec<usize>, Fault> {
-        let fault = |found: String, expected: &str| Err(Fault::at("agents", found, expected));
-        let numbers: Vec<usize> = match self {
-            Self::One(number) => vec![*number],
-            Self::Each(numbers) => numbers.clone(),
-            Self::Range(Range { step: 0, .. }) => {
-                return fault("the step 0".to_owned(), "at least 1");
-            }
-            Self::Range(Range { from, to, step }) => {
-                let last = to.map_or_else(most, Ok)?;
-                (*from..=last).step_by(*step).take(MOST + 1).collect()
-            }
-        };
-        let open = matches!(self, Self::Range(Range { to: None, .. }));
-        if numbers.is_empty() && !open {
-            return fault("no number".to_owned(), "at least one");
-        }
-        if numbers.contains(&0) {
-            return fault("0 agents".to_owned(), "at least 1");
-        }
-        if numbers.len() > MOST {
-            return fault(format!("more than {MOST} numbers"), "fewer");
-        }
-        Ok(numbers)
-    }
 }
 
 impl Spec {
@@ -147,6 +96,7 @@ impl Spec {
             return Err(Fault::at("skip-after", "0", expected));
         }
         spec.objectives()?;
+        spec.check_commands()?;
         Ok(spec)
     }
 
@@ -167,12 +117,31 @@ impl Spec {
         self.objectives.iter().enumerate().map(read).collect()
     }
 
-    /// The planners.
-    pub(crate) fn methods(&self) -> Vec<Method> {
-        match self.planners.as_slice() {
+    /// Checks the planners of others.
+    fn check_commands(&self) -> Result<(), Fault> {
+        for (index, spec) in self.commands.iter().enumerate() {
+            let place = format!("planner[{index}]");
+            let checked = spec.check(self.time_limit.is_some());
+            checked.map_err(|fault| fault.of_part(&place))?;
+            let mut before = self.commands.iter().take(index);
+            if before.any(|other| other.name == spec.name) {
+                let found = format!("\"{}\" again", spec.name);
+                let expected = "another name for each planner";
+                return Err(Fault::at("name", found, expected).of_part(&place));
+            }
+        }
+        Ok(())
+    }
+
+    /// The planners, those of others with their commands.
+    pub(crate) fn methods(&self) -> Vec<(Method, Option<&PlannerSpec>)> {
+        let own = match self.planners.as_slice() {
             [] => vec![Method::Search],
             planners => planners.to_vec(),
-        }
+        };
+        let own = own.into_iter().map(|method| (method, None));
+        let commands = self.commands.iter().map(|spec| (spec.method(), Some(spec)));
+        own.chain(commands).collect()
     }
 }
 
@@ -259,35 +228,6 @@ mod tests {
                 said.contains("found no number of agents, expected 20, "),
                 "{said}"
             );
-        }
-    }
-
-    #[test]
-    fn numbers_of_agents_are_written_in_three_ways() {
-        let numbers = |text: &str| {
-            let text = format!("[[instances]]\nfiles = []\nagents = {text}");
-            Spec::read(&text).unwrap().instances[0]
-                .agents
-                .clone()
-                .unwrap()
-                .numbers(&|| Ok(12))
-        };
-        assert_eq!(numbers("7").unwrap(), [7]);
-        assert_eq!(numbers("[3, 1]").unwrap(), [3, 1]);
-        assert_eq!(
-            numbers("{ from = 5, to = 16, step = 5 }").unwrap(),
-            [5, 10, 15]
-        );
-        assert_eq!(numbers("{ from = 2, to = 4 }").unwrap(), [2, 3, 4]);
-        assert_eq!(numbers("{ from = 5, step = 5 }").unwrap(), [5, 10]);
-        assert!(numbers("{ from = 13 }").unwrap().is_empty());
-        for wrong in [
-            "[]",
-            "0",
-            "{ from = 1, to = 2, step = 0 }",
-            "{ from = 2, to = 1 }",
-        ] {
-            assert!(numbers(wrong).is_err(), "{wrong}");
         }
     }
 }

@@ -1,69 +1,12 @@
 //! One thing to do: an instance, how many of its agents, an objective, a planner, a budget.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
-use std::str::FromStr;
 
 use giveway_model::{Fault, Objective};
 use giveway_solve::Limits;
-use giveway_solve::plan::Planner;
 use serde::{Deserialize, Serialize};
 
-use crate::{Clock, Shard, Spec};
-
-/// Who plans.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(try_from = "String", into = "String")]
-pub enum Method {
-    /// The search for the best plan, with its proof.
-    Search,
-    /// A planner of the textbook.
-    Planner(Planner),
-}
-
-impl Method {
-    /// Whether it proves that a plan is best.
-    pub const fn proves(self) -> bool {
-        matches!(self, Self::Search | Self::Planner(Planner::Cbs))
-    }
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Search => f.write_str("search"),
-            Self::Planner(planner) => planner.fmt(f),
-        }
-    }
-}
-
-impl FromStr for Method {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "search" {
-            return Ok(Self::Search);
-        }
-        let planner = text.parse().map_err(|_| {
-            format!("found the planner \"{text}\", expected search, prioritised, cbs, pibt, lacam or lns")
-        })?;
-        Ok(Self::Planner(planner))
-    }
-}
-
-impl TryFrom<String> for Method {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        text.parse()
-    }
-}
-
-impl From<Method> for String {
-    fn from(method: Method) -> Self {
-        method.to_string()
-    }
-}
+use crate::{Clock, Method, PlannerSpec, Shard, Spec};
 
 /// One thing to do.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -79,6 +22,9 @@ pub struct Task {
     pub objective: Option<Objective>,
     /// Who plans.
     pub planner: Method,
+    /// Its command, where it is a planner of others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command: Option<PlannerSpec>,
     /// The budget.
     #[serde(default)]
     pub limits: Limits,
@@ -121,6 +67,9 @@ impl Task {
     /// What it has in common with tasks of other numbers of agents.
     pub fn series(&self) -> String {
         let mut series = format!("{} planner={}", self.instance, self.planner);
+        if let Some(spec) = &self.command {
+            series.extend([" command=", &spec.fingerprint()]);
+        }
         if let Some(objective) = &self.objective {
             series.extend([" objective=", &objective.to_string()]);
         }
@@ -171,15 +120,17 @@ impl Spec {
                     };
                     for agents in numbers {
                         for objective in self.objectives()? {
-                            for planner in self.methods() {
+                            for (planner, command) in self.methods() {
+                                let wanted = certificate.filter(|_| planner == Method::Search);
                                 tasks.push(Task {
                                     instance: path.clone(),
                                     agents,
                                     objective: objective.clone(),
                                     planner,
+                                    command: command.cloned(),
                                     limits,
                                     clock: self.clock,
-                                    certificate: certificate.filter(|_| planner == Method::Search),
+                                    certificate: wanted,
                                 });
                             }
                         }

@@ -18,6 +18,9 @@ A SPEC says what is combined with what; paths start from its folder, or from --f
   [[instances]]
   files = [\"maze-32-32-2-*.scen\"]
   agents = { from = 5, to = 50, step = 5 }   # or 20, or [5, 10]; without to: as many as there are
+  [[planner]]                            # a planner of others, judged by what it writes; needs a time-limit
+  name = \"mine\"
+  command = \"mine -m {map} -s {scen} -k {agents} -t {seconds} -o {out}\"
   [certificates]                         # makes and checks certificates of what is proved
   time-limit = 10                        # seconds for each; memory-limit
 
@@ -52,16 +55,18 @@ pub(crate) struct Sweep {
 Examples
   giveway table maze-results
   giveway table maze-results --show rows --to csv > rows.csv
-  giveway table maze-results more-results --show cactus --to svg > cactus.svg")]
+  giveway table maze-results more-results --show cactus --to svg > cactus.svg
+  giveway table maze-results --show planners --to html > planners.html")]
 pub(crate) struct Table {
     /// Folders of results, or files of them
     #[arg(required = true, value_name = "RESULTS")]
     pub(crate) results: Vec<PathBuf>,
     /// What to show: summary (how many tasks of each map, objective, planner and number of robots
-    /// ended how), rows (every result), optima (the bounds of every row that was tried, and its certificate), success (the success rate against the number of robots), cactus (how many within how many CPU seconds each)
+    /// ended how), rows (every result), optima (the bounds of every row that was tried, and its certificate), success (the success rate against the number of robots), cactus (how many within how many CPU seconds each),
+    /// planners (what each planner solved, how fast, and how far from what is proved)
     #[arg(long, default_value = "summary", value_name = "WHAT")]
     pub(crate) show: Show,
-    /// How it is written: markdown, csv, or svg, a plot of success or cactus
+    /// How it is written: markdown, csv, svg (a plot of success, cactus or planners), or html, a page of planners
     #[arg(long, default_value = "markdown", value_name = "FORMAT")]
     pub(crate) to: Written,
 }

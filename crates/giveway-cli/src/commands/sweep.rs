@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use giveway_solve::{Host, Progress};
 use giveway_sweep::table::write;
-use giveway_sweep::{Folder, Patience, Results, Row, RowStatus, Spec, Task, read, run as do_task};
+use giveway_sweep::{Folder, Patience, Results, Row, RowStatus, Spec, Task, read};
 use serde::Serialize;
 
 use crate::{
@@ -14,6 +14,7 @@ use crate::{
     exit::Exit,
     failure::Failure,
     input::Source,
+    interrupt,
     output::{plain, stream},
 };
 
@@ -51,12 +52,16 @@ pub(crate) fn run(args: &Sweep, common: &Common) -> Result<Exit, Failure> {
     }
     let mut patience = Patience::of(&spec);
     let mut counts: BTreeMap<RowStatus, usize> = BTreeMap::new();
+    interrupt::listen();
     for (index, task) in tasks.iter().enumerate() {
         let known = results.of(&task.name()).cloned();
         let row = match known {
             Some(row) if patience.accepts(task, &row) => row,
             known => {
-                let row = done(task, &folder, &patience);
+                let Some(row) = done(task, &folder, &patience) else {
+                    stream::note("Stopped. The same command goes on with this task.");
+                    break;
+                };
                 if !common.quiet {
                     stream::error_lines(&[told(index + 1, tasks.len(), &row)]);
                 }
@@ -88,20 +93,12 @@ fn counted(counts: &BTreeMap<RowStatus, usize>) -> String {
     format!("{count}: {}.", ends.collect::<Vec<_>>().join(", "))
 }
 
-/// The row of a task, done now if it is to be done at all.
-fn done(task: &Task, folder: &Folder, patience: &Patience) -> Row {
+/// The row of a task, done now if it is to be done at all; `None` where Ctrl-C ended it.
+fn done(task: &Task, folder: &Folder, patience: &Patience) -> Option<Row> {
     if patience.skips(task) {
-        return Row::skipped(task);
+        return Some(Row::skipped(task));
     }
-    match folder.load(task) {
-        Ok(loaded) => do_task(
-            task,
-            &loaded.instance,
-            loaded.map.as_deref(),
-            &TaskHost::start(),
-        ),
-        Err(reason) => Row::error(task, reason),
-    }
+    folder.row(task, &TaskHost::start())
 }
 
 fn listed(task: &Task) -> Result<String, Failure> {
@@ -118,7 +115,7 @@ fn told(number: usize, count: usize, row: &Row) -> String {
     let (task, status) = (plain::text(&row.task), row.status.word());
     let seconds = row.took.wall_seconds;
     match &row.reason {
-        Some(reason) if row.status == RowStatus::Error => {
+        Some(reason) if matches!(row.status, RowStatus::Error | RowStatus::Failed) => {
             let reason = plain::text(reason);
             format!("{number} of {count}: {task}: {status}: {reason}")
         }
@@ -172,6 +169,10 @@ impl Host for TaskHost {
 
     fn cpu_seconds(&self) -> f64 {
         self.clock.cpu_seconds() - self.cpu_before
+    }
+
+    fn cancelled(&self) -> bool {
+        interrupt::happened()
     }
 
     fn progress(&self, _: &Progress) {}

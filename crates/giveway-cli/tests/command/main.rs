@@ -38,5 +38,7 @@ mod run;
 mod sizing;
 mod solve;
 mod sweep;
+#[cfg(unix)]
+mod sweep_planners;
 mod told;
 mod traces;

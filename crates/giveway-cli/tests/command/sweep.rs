@@ -164,7 +164,7 @@ fn tables_and_plots_are_written() {
         "table spec-results --to svg",
         &expect![[r#"
             exit 1
-            Found svg for a table, expected markdown or csv; success and cactus are drawn.
+            Found svg for a table, expected markdown or csv; success, cactus and planners are drawn.
         "#]],
     );
 }
@@ -241,7 +241,7 @@ fn what_is_wrong_is_told_and_the_other_tasks_go_on() {
     .unwrap();
     folder.refuses("sweep typo.toml", &expect![[r#"
         exit 1
-        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `time-limit`, `clock`, `conflict-limit`, `memory-limit`, `skip-after`, `certificates`
+        typo.toml: line 1, column 1: found unknown field `time-limt`, expected one of `instances`, `objectives`, `planners`, `planner`, `time-limit`, `clock`, `conflict-limit`, `memory-limit`, `skip-after`, `certificates`
     "#]]);
     fs::write(
         folder.path("none.toml"),

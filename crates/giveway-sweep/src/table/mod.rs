@@ -1,7 +1,9 @@
 //! Tables and plots of rows.
 
 mod curves;
+mod html;
 mod optima;
+mod planners;
 mod plot;
 mod sheet;
 mod together;
@@ -16,7 +18,7 @@ pub use sheet::Sheet;
 use together::{budget, has_budgets};
 pub use written::{Show, Written, write};
 
-use crate::{Row, RowStatus};
+use crate::{Failure, Method, Row, RowStatus};
 
 /// Rows that are counted together.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,6 +70,8 @@ pub fn summary(rows: &[Row]) -> Sheet {
         "mean gap %",
         "median CPU s",
     ]);
+    let has_failed = rows.iter().any(|row| row.status == RowStatus::Failed);
+    let mut failures = Vec::new();
     let budgets: Vec<Option<String>> = groups.keys().map(|group| group.budget.clone()).collect();
     for (group, rows) in groups {
         let mut line = vec![
@@ -95,6 +99,8 @@ pub fn summary(rows: &[Row]) -> Sheet {
                     .to_string(),
             );
         }
+        let is_failed = |row: &&&Row| row.status == RowStatus::Failed;
+        failures.push(rows.iter().filter(is_failed).count().to_string());
         let gaps: Vec<f64> = rows.iter().filter_map(|row| row.gap()).collect();
         let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
         line.push(if gaps.is_empty() {
@@ -104,6 +110,9 @@ pub fn summary(rows: &[Row]) -> Sheet {
         });
         line.push(median(&rows).map_or_else(String::new, |seconds| format!("{seconds:.2}")));
         sheet.push(line);
+    }
+    if has_failed {
+        sheet.insert(9, "failed", failures.into_iter());
     }
     if has_budgets {
         sheet.insert(
@@ -123,7 +132,8 @@ fn median(rows: &[&Row]) -> Option<f64> {
     seconds.get(seconds.len().checked_sub(1)? / 2).copied()
 }
 
-/// A line for every row, with its budget where there are several.
+/// A line for every row, with its budget where there are several, and with what planners of
+/// others have besides where there are some.
 pub fn all(rows: &[Row]) -> Sheet {
     let mut sheet = Sheet::new(&[
         "instance",
@@ -170,6 +180,22 @@ pub fn all(rows: &[Row]) -> Sheet {
         );
         line.push(format!("{:.2}", row.took.cpu_seconds));
         sheet.push(line);
+    }
+    if rows
+        .iter()
+        .any(|row| matches!(row.planner, Method::Command(_)))
+    {
+        let text = |text: Option<&str>| text.unwrap_or_default().to_owned();
+        let failure = |row: &Row| text(row.failure.map(Failure::word));
+        let megabytes = |row: &Row| row.took.peak_bytes.map(|bytes| bytes.div_ceil(1_000_000));
+        let megabytes = |row| megabytes(row).map_or_else(String::new, |peak| peak.to_string());
+        sheet.insert(
+            15,
+            "reason",
+            rows.iter().map(|row| text(row.reason.as_deref())),
+        );
+        sheet.insert(15, "peak MB", rows.iter().map(megabytes));
+        sheet.insert(6, "failure", rows.iter().map(failure));
     }
     if has_budgets(rows) {
         sheet.insert(5, "budget", rows.iter().map(budget));

@@ -31,7 +31,7 @@ pub fn optima(rows: &[Row]) -> Sheet {
         sheet.push(line(scenario, row));
     }
     let tried = tried.iter().map(|(_, row)| *row);
-    let mut planners = rows.iter().map(|row| row.planner);
+    let mut planners = rows.iter().map(|row| &row.planner);
     let first = planners.next();
     if has_budgets(rows) {
         sheet.insert(4, "budget", tried.clone().map(budget));

@@ -43,7 +43,8 @@ fn has_own_objective(row: &Row) -> bool {
 pub(super) fn has_budgets(rows: &[Row]) -> bool {
     let mut budgets: BTreeMap<Method, BTreeSet<String>> = BTreeMap::new();
     for row in rows {
-        budgets.entry(row.planner).or_default().insert(row.budget());
+        let budgets = budgets.entry(row.planner.clone()).or_default();
+        budgets.insert(row.budget());
     }
     budgets.values().any(|budgets| budgets.len() > 1)
 }

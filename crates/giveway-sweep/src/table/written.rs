@@ -5,7 +5,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::together::completed;
-use super::{Axes, Curve, Sheet, all, cactus, optima, plot, success, summary};
+use super::{Axes, Curve, Sheet, all, cactus, optima, planners, plot, success, summary};
 use crate::Row;
 
 /// What a table or a plot shows.
@@ -23,6 +23,8 @@ pub enum Show {
     Success,
     /// How many tasks succeeded within how many CPU seconds each.
     Cactus,
+    /// Planners beside what is proved: what each solved, how fast, how far from the best.
+    Planners,
 }
 
 /// How it is written.
@@ -36,6 +38,8 @@ pub enum Written {
     Csv,
     /// A plot.
     Svg,
+    /// A page with table and plots, of planners.
+    Html,
 }
 
 impl FromStr for Show {
@@ -48,9 +52,10 @@ impl FromStr for Show {
             "optima" => Self::Optima,
             "success" => Self::Success,
             "cactus" => Self::Cactus,
+            "planners" => Self::Planners,
             _ => {
                 return Err(format!(
-                    "found \"{text}\", expected summary, rows, optima, success or cactus"
+                    "found \"{text}\", expected summary, rows, optima, success, cactus or planners"
                 ));
             }
         })
@@ -65,7 +70,12 @@ impl FromStr for Written {
             "markdown" => Self::Markdown,
             "csv" => Self::Csv,
             "svg" => Self::Svg,
-            _ => return Err(format!("found \"{text}\", expected markdown, csv or svg")),
+            "html" => Self::Html,
+            _ => {
+                return Err(format!(
+                    "found \"{text}\", expected markdown, csv, svg or html"
+                ));
+            }
         })
     }
 }
@@ -73,7 +83,7 @@ impl FromStr for Written {
 /// Makes a table or a plot.
 ///
 /// # Errors
-/// When a table is wanted as a plot, as a sentence.
+/// When a table is wanted as a plot, or as a page that is none of planners, as a sentence.
 pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
     let rows = &completed(rows);
     match show {
@@ -82,6 +92,17 @@ pub fn write(rows: &[Row], show: Show, to: Written) -> Result<String, String> {
         Show::Optima => sheet(&optima(rows), to),
         Show::Success => drawn(&success(rows), Axes::Success, to),
         Show::Cactus => drawn(&cactus(rows), Axes::Cactus, to),
+        Show::Planners => Ok(beside_proofs(rows, to)),
+    }
+}
+
+fn beside_proofs(rows: &[Row], to: Written) -> String {
+    let comparisons = planners::comparisons(rows);
+    match to {
+        Written::Markdown => planners::text(&comparisons),
+        Written::Csv => planners::sheet(&comparisons).csv(),
+        Written::Svg => planners::both(&comparisons),
+        Written::Html => planners::page(&comparisons),
     }
 }
 
@@ -101,8 +122,11 @@ fn sheet(sheet: &Sheet, to: Written) -> Result<String, String> {
         Written::Markdown => Ok(sheet.markdown()),
         Written::Csv => Ok(sheet.csv()),
         Written::Svg => Err(
-            "Found svg for a table, expected markdown or csv; success and cactus are drawn."
+            "Found svg for a table, expected markdown or csv; success, cactus and planners are drawn."
                 .to_owned(),
+        ),
+        Written::Html => Err(
+            "Found html, expected markdown or csv; only planners are written as a page.".to_owned(),
         ),
     }
 }

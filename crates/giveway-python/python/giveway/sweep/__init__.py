@@ -23,8 +23,8 @@ __all__ = ["AnyPath", "Results", "Row", "Show", "Sweep", "Task", "run", "skipped
 AnyPath = Union[str, "PathLike[str]"]
 #: One result, in the shape of its line.
 Row = dict[str, Any]
-Show = Literal["summary", "rows", "optima", "success", "cactus"]
-Written = Literal["markdown", "csv", "svg"]
+Show = Literal["summary", "rows", "optima", "success", "cactus", "planners"]
+Written = Literal["markdown", "csv", "svg", "html"]
 
 
 @dataclass(frozen=True)
