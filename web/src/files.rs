@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use giveway_model::{tr, tr_data};
 use giveway_page::files::{
-    Opened, Reading, Saved, are_hand_ins, picture_name, read_beside, robots_file, sizing_file, too_large,
+    Opened, Reading, Saved, are_hand_ins, picture_name, read_beside, robots_file, sizing_file,
+    too_large,
 };
 use giveway_page::floor_plan::brought;
 use giveway_page::{Action, FileAction, IntakeAction, Notice, State};

@@ -1,8 +1,9 @@
 //! Handing in: the column that makes a file or a link of what was done in a lesson.
 
-use giveway_course::handin::{HandIn, Work, answer_words, hand_in, link, write};
-use giveway_course::learner::{Action, Open, Progress};
-use giveway_course::lesson::Lesson;
+use giveway_course::handin::{
+    Card, CardState, Form, FormAction, FormEffect, HandIn, Subject, cards, summary,
+};
+use giveway_course::learner::{Action, Open};
 use giveway_model::tr;
 use gloo::file::Blob;
 use web_sys::HtmlInputElement;
@@ -11,15 +12,6 @@ use yew::prelude::*;
 use super::sight::once;
 use super::tutor::{Msg, Tutor};
 use crate::{copy, files, icon};
-
-/// What is typed and told while a lesson is handed in.
-#[derive(Clone, Default)]
-pub(super) struct Handing {
-    /// The name of who hands it in.
-    name: String,
-    /// What became of the file or the link.
-    told: String,
-}
 
 /// What happens while a lesson is handed in.
 #[derive(Clone)]
@@ -30,14 +22,18 @@ pub(super) enum HandMsg {
     End,
     /// The lesson goes on at a step, from 0.
     Go(usize),
-    /// A name is typed.
-    Name(String),
-    /// The file is saved.
-    Save,
-    /// The link is copied.
-    Copy,
-    /// What became of the link.
-    Told(String),
+    /// Something is done in the form.
+    Form(FormAction),
+    /// Why the link was not copied.
+    Refused(String),
+}
+
+/// The form that is open.
+#[derive(Clone, Default)]
+pub(super) struct Handing {
+    form: Form,
+    /// Why the link was not copied.
+    refused: String,
 }
 
 /// Whether a lesson can be handed in: it has tasks, and is not one that is being written.
@@ -50,7 +46,7 @@ impl Tutor {
     pub(super) fn hand(&mut self, ctx: &Context<Self>, msg: HandMsg) {
         match msg {
             HandMsg::Begin => {
-                self.handing.get_or_insert_default().told.clear();
+                self.handing = Some(Handing::default());
                 self.is_new = true;
             }
             HandMsg::End => {
@@ -62,32 +58,41 @@ impl Tutor {
                 self.is_new = true;
                 self.act(ctx, Action::Go(step));
             }
-            HandMsg::Name(name) => self.handing.get_or_insert_default().name = name,
-            HandMsg::Save => {
-                if let Some(made) = self.made() {
-                    let name = made.file_name();
-                    let text = write(&made);
-                    let blob = Blob::new_with_options(text.as_str(), Some("application/json"));
-                    files::save_as(&name, blob);
-                    let told = tr!("Saved as {name}. Give the file to your lecturer.", name);
-                    self.handing.get_or_insert_default().told = told;
+            HandMsg::Form(action) => self.fill_in(ctx, action),
+            HandMsg::Refused(why) => {
+                if let Some(handing) = &mut self.handing {
+                    (handing.form.done, handing.refused) = (None, why);
                 }
             }
-            HandMsg::Copy => {
-                let letters = self.made().and_then(|made| link::write(&made));
-                if let Some(letters) = letters {
-                    copy_link(&letters, ctx.link().callback(Msg::Hand));
-                }
-            }
-            HandMsg::Told(told) => self.handing.get_or_insert_default().told = told,
         }
     }
 
-    fn made(&self) -> Option<HandIn> {
-        let open = self.learner.open.as_ref()?;
-        let handing = self.handing.as_ref()?;
-        let progress = &self.learner.progress;
-        Some(hand_in(progress, &open.id, &open.lesson, &handing.name))
+    fn fill_in(&mut self, ctx: &Context<Self>, action: FormAction) {
+        let (Some(open), Some(handing)) = (&self.learner.open, self.handing.take()) else {
+            return;
+        };
+        let of = subject(self, open);
+        let (form, effect) = handing.form.reduce(action, of);
+        self.handing = Some(Handing {
+            form,
+            refused: String::new(),
+        });
+        match effect {
+            Some(FormEffect::Save { name, text }) => {
+                let blob = Blob::new_with_options(text.as_str(), Some("application/json"));
+                files::save_as(&name, blob);
+            }
+            Some(FormEffect::Copy(letters)) => copy_link(&letters, ctx.link().callback(Msg::Hand)),
+            None => {}
+        }
+    }
+}
+
+fn subject<'a>(tutor: &'a Tutor, open: &'a Open) -> Subject<'a> {
+    Subject {
+        progress: &tutor.learner.progress,
+        id: &open.id,
+        lesson: &open.lesson,
     }
 }
 
@@ -95,27 +100,20 @@ fn copy_link(letters: &str, send: Callback<HandMsg>) {
     let location = gloo::utils::window().location();
     let origin = location.origin().unwrap_or_default();
     let path = location.pathname().unwrap_or_default();
-    let text = format!("{origin}{path}#{}{letters}", link::KEY);
+    let text = format!("{origin}{path}#{letters}");
     copy::text(tr!("link"), &text, move |done| {
-        send.emit(HandMsg::Told(match done {
-            Ok(()) => tr!("Link copied. Give it to your lecturer.").to_owned(),
-            Err(notice) => {
-                let details = notice.details().join(" ");
-                format!("{} {details}", notice.sentence())
-            }
-        }));
+        if let Err(notice) = done {
+            let details = notice.details().join(" ");
+            send.emit(HandMsg::Refused(format!("{} {details}", notice.sentence())));
+        }
     });
 }
 
-/// The column, below its way out.
-pub(super) fn show(
-    tutor: &Tutor,
-    handing: &Handing,
-    open: &Open,
-    progress: &Progress,
-    send: &Callback<Msg>,
-) -> Html {
-    let made = hand_in(progress, &open.id, &open.lesson, &handing.name);
+/// The column.
+pub(super) fn show(tutor: &Tutor, handing: &Handing, open: &Open, send: &Callback<Msg>) -> Html {
+    let of = subject(tutor, open);
+    let made = handing.form.made(of);
+    let cards = cards(&made, &open.lesson);
     html! {
         <>
             <div class="scroll" key="hand-in">
@@ -128,33 +126,36 @@ pub(super) fn show(
                     <h2 tabindex="-1" ref={tutor.title.clone()}>{ tr!("Hand in your work") }</h2>
                     <p class="lead">{ tr!("Save a file or copy a link, and give it to your lecturer yourself.") }</p>
                 </header>
-                { name(handing, &made, send) }
+                { name(handing, &made, handing.form.name_hint(of), send) }
                 <p class="private">
                     { icon::show("lock") }
                     <span><b>{ tr!("Nothing is sent.") }</b>{ " " }{ tr!("The work stays in this browser until you pass it on.") }</span>
                 </p>
                 { content() }
-                { tasks(&made, &open.lesson, send) }
+                <section aria-labelledby="lecturer-sees">
+                    <h3 id="lecturer-sees">{ tr!("What your lecturer sees") }</h3>
+                    <p class="quiet">{ summary(&cards) }</p>
+                    <ol class="hand-cards">{ for cards.iter().map(|card| self::card(card, send)) }</ol>
+                </section>
                 <p class="quiet">{ tr!("Hand in as often as you like. The latest file counts.") }</p>
             </div>
-            { foot(handing, &made, send) }
+            { foot(handing, of, send) }
         </>
     }
 }
 
-fn name(handing: &Handing, made: &HandIn, send: &Callback<Msg>) -> Html {
+fn name(handing: &Handing, made: &HandIn, hint: Option<&str>, send: &Callback<Msg>) -> Html {
     let oninput = send.reform(|event: InputEvent| {
         let field: HtmlInputElement = event.target_unchecked_into();
-        Msg::Hand(HandMsg::Name(field.value()))
+        Msg::Hand(HandMsg::Form(FormAction::Name(field.value())))
     });
-    let is_nameless = made.name.is_none();
     html! {
         <label class="field-of">
             <span>{ tr!("Your name, as your lecturer knows you") }</span>
-            <input class="field" value={handing.name.clone()} autocomplete="name" {oninput} />
+            <input class="field" value={handing.form.name.clone()} autocomplete="name" {oninput} />
             <small>
-                if is_nameless { { tr!("Your lecturer will not know whose it is.") }{ " " } }
-                { tr!("The file is called {name}", name = made.file_name()) }
+                if let Some(hint) = hint { { hint }{ " " } }
+                { tr!("The file is called {name}.", name = made.file_name()) }
             </small>
         </label>
     }
@@ -186,60 +187,33 @@ fn content() -> Html {
     }
 }
 
-/// A card for each task, which goes to its step.
-fn tasks(made: &HandIn, lesson: &Lesson, send: &Callback<Msg>) -> Html {
-    let steps = lesson.steps.iter().enumerate();
-    let steps = steps.filter(|(_, step)| step.task.is_some());
-    let card = |(n, (index, step)): (usize, (usize, &giveway_course::lesson::Step))| {
-        let work = made.work(index);
-        let (class, sign, state) = state(work);
-        let answer = work.and_then(|work| work.answer.as_ref());
-        let answer = answer.map(|answer| answer_words(answer, index, lesson));
-        let onclick = once(send, move || Msg::Hand(HandMsg::Go(index)));
-        html! {
-            <li><button type="button" class="hand-card" {onclick}>
-                <b>{ tr!("a task with its number" => "{n} {title}", n = n + 1, title = step.title) }</b>
-                <small class={class}>{ icon::show(sign) }{ state }</small>
-                if let Some(answer) = answer { <small>{ tr!("Your answer: {answer}", answer) }</small> }
-            </button></li>
-        }
+/// A card for a task, which goes to its step.
+fn card(card: &Card, send: &Callback<Msg>) -> Html {
+    let (class, sign) = match card.state {
+        CardState::Solved => ("sign ok", "check"),
+        CardState::NotSolved => ("sign un", "todo"),
+        CardState::NotTried => ("sign nil", "minus"),
     };
+    let step = card.step;
+    let onclick = once(send, move || Msg::Hand(HandMsg::Go(step)));
     html! {
-        <section aria-labelledby="lecturer-sees">
-            <h3 id="lecturer-sees">{ tr!("What your lecturer sees") }</h3>
-            <ol class="hand-cards">{ for steps.enumerate().map(card) }</ol>
-        </section>
+        <li><button type="button" class="hand-card" {onclick}>
+            <b>{ card.number }{ " " }{ card.title.clone() }</b>
+            <small {class}>{ icon::show(sign) }{ card.state_words() }</small>
+            if !card.answer.is_empty() { <small>{ tr!("Your answer: {answer}", answer = card.answer) }</small> }
+        </button></li>
     }
 }
 
-/// Whether a task is taken as solved, as a class, a sign and words.
-fn state(work: Option<&Work>) -> (&'static str, &'static str, String) {
-    let tries = |work: &Work| tr!("{n} try" | "{n} tries" % work.tries);
-    match work {
-        Some(work) if work.solved => {
-            let tries = tries(work);
-            ("sign ok", "check", tr!("solved, {tries}", tries))
-        }
-        Some(work) if work.answer.is_some() => {
-            let tries = tries(work);
-            ("sign un", "todo", tr!("not solved, {tries}", tries))
-        }
-        Some(_) | None => ("sign nil", "minus", tr!("not tried").to_owned()),
-    }
-}
-
-fn foot(handing: &Handing, made: &HandIn, send: &Callback<Msg>) -> Html {
-    let has_link = link::write(made).is_some();
-    let save = once(send, || Msg::Hand(HandMsg::Save));
-    let copy = once(send, || Msg::Hand(HandMsg::Copy));
+fn foot(handing: &Handing, of: Subject<'_>, send: &Callback<Msg>) -> Html {
+    let no_link = handing.form.no_link(of);
+    let press = |action: fn() -> FormAction| once(send, move || Msg::Hand(HandMsg::Form(action())));
+    let said = handing.form.done_words().or(no_link).unwrap_or_default();
     html! {
         <footer class="foot hands">
-            <p role="status">
-                { handing.told.clone() }
-                if handing.told.is_empty() && !has_link { { tr!("The work is too long for a link: save the file.") } }
-            </p>
-            <button type="button" class="btn primary" onclick={save}>{ icon::show("save") }<span>{ tr!("Save file") }</span></button>
-            <button type="button" class="btn outline" disabled={!has_link} onclick={copy}>{ icon::show("link") }<span>{ tr!("Copy link") }</span></button>
+            <p role="status">{ said }{ handing.refused.clone() }</p>
+            <button type="button" class="btn primary" onclick={press(|| FormAction::Save)}>{ icon::show("save") }<span>{ tr!("Save file") }</span></button>
+            <button type="button" class="btn outline" disabled={no_link.is_some()} onclick={press(|| FormAction::Copy)}>{ icon::show("link") }<span>{ tr!("Copy link") }</span></button>
         </footer>
     }
 }

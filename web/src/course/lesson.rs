@@ -23,7 +23,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
         return html! {};
     };
     if let Some(handing) = &tutor.handing {
-        let column = handin::show(tutor, handing, open, &tutor.learner.progress, send);
+        let column = handin::show(tutor, handing, open, send);
         return html! { <aside class="insp lesson" aria-label={tr!("Lesson")}>{ column }</aside> };
     }
     let robots = open.robots();

@@ -36,13 +36,6 @@ pub enum LookAction {
     Order(Order),
     /// A cell is chosen, or none any more.
     Choose(Option<Chosen>),
-    /// To a cell so many columns to the right and rows down; at an edge it stays.
-    Move {
-        /// Columns to the right.
-        tasks: i32,
-        /// Rows down.
-        rows: i32,
-    },
     /// To the next cell to look at, or the one before (`false`); from the last to the first.
     LookAt(bool),
 }
@@ -72,7 +65,6 @@ impl Looking {
             LookAction::Lesson(_) => {}
             LookAction::Order(order) => self.order = order,
             LookAction::Choose(chosen) => self.chosen = chosen,
-            LookAction::Move { tasks, rows } => self.chosen = self.moved(class, tasks, rows),
             LookAction::LookAt(forward) => {
                 let all = self.to_look_at(class);
                 let count = all.len();
@@ -91,34 +83,13 @@ impl Looking {
         self
     }
 
-    fn moved(self, class: &Class, right: i32, down: i32) -> Option<Chosen> {
-        let given = class.lessons().get(self.lesson)?;
-        let steps: Vec<usize> = given.tasks().collect();
-        let rows = class.rows(self.lesson, self.order);
-        let at = |chosen: Chosen| {
-            let column = steps.iter().position(|step| *step == chosen.step)?;
-            let row = rows.iter().position(|row| row.place() == chosen.file)?;
-            Some((column, row))
-        };
-        let (column, row) = match self.chosen.and_then(at) {
-            Some((column, row)) => (
-                column.saturating_add_signed(right as isize),
-                row.saturating_add_signed(down as isize),
-            ),
-            None => (0, 0),
-        };
-        let step = *steps.get(column.min(steps.len().checked_sub(1)?))?;
-        let file = rows.get(row.min(rows.len().checked_sub(1)?))?.place();
-        Some(Chosen { file, step })
-    }
-
-    /// The cells to look at: claims that are false, in the order of the rows.
+    /// The cells to look at: answers that do not solve their task, in the order of the rows.
     pub fn to_look_at(&self, class: &Class) -> Vec<Chosen> {
         let rows = class.rows(self.lesson, self.order);
         let cells = rows.iter().flat_map(|row| {
             let tasks = row.tasks().iter();
-            let lies = tasks.filter(|task| task.claim() == Claim::False);
-            lies.map(|task| Chosen {
+            let open = tasks.filter(|task| task.work.is_some() && !task.is_solved());
+            open.map(|task| Chosen {
                 file: row.place(),
                 step: task.step,
             })
@@ -158,20 +129,6 @@ impl Looking {
             answer: plain(&words.unwrap_or_default()),
             reason: plain(&reason.unwrap_or_default()),
         })
-    }
-
-    /// A cell aloud: `Student 17, Block one cell: says solved, is not, 2 tries`.
-    pub fn aloud(&self, class: &Class) -> Option<String> {
-        let (row, task) = self.task(class)?;
-        let given = class.lessons().get(row.file().lesson()?)?;
-        let (who, task_words) = (plain(row.title()), given.task_words(task.step));
-        let (head, n) = (head(task).to_lowercase(), task.tries());
-        Some(tr!(
-            "{who}, {task}: {head}, {n} try" | "{who}, {task}: {head}, {n} tries" % n,
-            who,
-            task = task_words,
-            head
-        ))
     }
 }
 

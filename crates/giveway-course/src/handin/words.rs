@@ -47,7 +47,7 @@ fn said(value: &Value, task: Option<&Task>) -> String {
         _ => None,
     };
     match words {
-        Some(guess) => format!("{value}: {}", guess.text.plain()),
+        Some(guess) => guess.text.plain(),
         None => value.to_string(),
     }
 }

@@ -2,14 +2,13 @@
 
 use std::rc::Rc;
 
-use giveway_course::grade::{Came, Given, Next};
+use giveway_course::grade::{Came, Given, LookAction, Next};
 use giveway_course::learner::Action;
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::{FromPage, Happened, ToPage};
 use gloo::timers::callback::Timeout;
 use yew::prelude::*;
 
-use super::choice::Chosen;
 use super::{BOARD, ClassMsg, Collected, Shows};
 use crate::course::language;
 use crate::course::tutor::{Msg, Tutor};
@@ -58,12 +57,11 @@ impl Tutor {
                 }
                 self.open_class(ctx, Vec::new());
             }
-            ClassMsg::Order(order) => self.of_class(|it| it.order = order),
-            ClassMsg::Lesson(lesson) => self.of_class(|it| it.lesson = lesson),
-            ClassMsg::Choose(chosen) => self.show_work(chosen),
-            ClassMsg::Look(on) => {
-                if let Some(chosen) = self.class.as_ref().and_then(|it| it.to_look_at(on)) {
-                    self.show_work(chosen);
+            ClassMsg::Look(action) => {
+                self.of_class(|it| it.looking = it.looking.reduce(action, &it.class));
+                match action {
+                    LookAction::Choose(_) | LookAction::LookAt(_) => self.show_work(),
+                    LookAction::Lesson(_) | LookAction::Order(_) => {}
                 }
             }
             ClassMsg::Back => {
@@ -80,7 +78,11 @@ impl Tutor {
     }
 
     /// What the page tells of the board with a student's work; whether it is about that.
-    pub(in crate::course) fn heard_of_work(&mut self, ctx: &Context<Self>, action: &Action) -> bool {
+    pub(in crate::course) fn heard_of_work(
+        &mut self,
+        ctx: &Context<Self>,
+        action: &Action,
+    ) -> bool {
         match action {
             Action::Page(FromPage { number, what }) if *number == BOARD => {
                 if *what == Happened::Closed {
@@ -112,7 +114,10 @@ impl Tutor {
         }
         self.tour = None;
         let asker = &self.asker;
-        let hear = || ctx.link().callback(|action| Msg::Class(ClassMsg::Solver(action)));
+        let hear = || {
+            ctx.link()
+                .callback(|action| Msg::Class(ClassMsg::Solver(action)))
+        };
         let it = self
             .class
             .get_or_insert_with(|| Collected::new(asker.beside(hear())));
@@ -174,6 +179,7 @@ impl Tutor {
             return;
         };
         it.version = it.version.wrapping_add(1);
+        it.settle();
         it.pause = None;
         let begin = js_sys::Date::now();
         loop {
@@ -204,21 +210,21 @@ impl Tutor {
 
     /// A person's own board comes back.
     fn leave_work(&mut self) {
-        if self.class.as_ref().is_some_and(|it| it.shows == Shows::Work) {
+        if self
+            .class
+            .as_ref()
+            .is_some_and(|it| it.shows == Shows::Work)
+        {
             self.say(&ToPage::Close);
             self.tell_lesson(false);
         }
     }
 
-    fn show_work(&mut self, chosen: Chosen) {
-        let Some(it) = &mut self.class else {
+    fn show_work(&mut self) {
+        let Some((board, evidence)) = self.class.as_ref().and_then(Collected::board) else {
             return;
         };
-        let Some((board, evidence)) = it.board(chosen) else {
-            return;
-        };
-        it.chosen = Some(chosen);
-        it.shows = Shows::Work;
+        self.of_class(|it| it.shows = Shows::Work);
         self.is_new = true;
         self.say(&ToPage::Open(Box::new(board)));
         if let Some(evidence) = evidence {

@@ -52,7 +52,7 @@ impl Collected {
     }
 
     fn undecided(&self) -> usize {
-        let shares = self.class.shares(self.lesson());
+        let shares = self.class.shares(self.looking.lesson);
         shares.iter().map(|share| share.undecided).sum()
     }
 
@@ -71,10 +71,8 @@ impl Collected {
         match (self.class.false_claims(), self.undecided()) {
             (0, 0) => tr!("All judged.").to_owned(),
             (0, n) => tr!("{n} task is not decided." | "{n} tasks are not decided." % n),
-            (n, _) => tr!(
-                "{n} task is said to be solved, and is not."
-                    | "{n} tasks are said to be solved, and are not." % n
-            ),
+            (n, _) => tr!("{n} task is said to be solved, and is not."
+                | "{n} tasks are said to be solved, and are not." % n),
         }
     }
 }

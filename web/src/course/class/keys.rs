@@ -1,5 +1,6 @@
 //! Keys in the table of a class: arrows from cell to cell, J and K to the next to look at.
 
+use giveway_course::grade::LookAction;
 use web_sys::{HtmlElement, wasm_bindgen::JsCast as _};
 use yew::prelude::*;
 
@@ -19,8 +20,8 @@ pub(super) fn pressed(event: &KeyboardEvent, send: &Callback<Msg>) {
         "ArrowLeft" => (-1, 0),
         "ArrowDown" => (0, 1),
         "ArrowUp" => (0, -1),
-        "j" => return send.emit(Msg::Class(ClassMsg::Look(true))),
-        "k" => return send.emit(Msg::Class(ClassMsg::Look(false))),
+        "j" => return send.emit(Msg::Class(ClassMsg::Look(LookAction::LookAt(true)))),
+        "k" => return send.emit(Msg::Class(ClassMsg::Look(LookAction::LookAt(false)))),
         _ => return,
     };
     let Some(from) = event.target_dyn_into::<HtmlElement>() else {

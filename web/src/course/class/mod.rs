@@ -2,7 +2,7 @@
 //! it. What is judged, and how, is decided in `giveway_course::grade`.
 
 mod arrive;
-mod choice;
+mod board;
 mod collect;
 mod foot;
 mod keys;
@@ -13,7 +13,7 @@ mod work;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-use giveway_course::grade::{Came, Class, Order, csv};
+use giveway_course::grade::{Came, Class, LookAction, Looking, csv};
 use giveway_course::learner::{Action, AskNumber};
 use giveway_course::lesson::{Id, Lesson};
 use giveway_course::port::BoardNumber;
@@ -25,7 +25,6 @@ use yew::prelude::*;
 use super::asker::Asker;
 use crate::{copy, files};
 
-use choice::Chosen;
 pub(super) use table::ClassProps;
 pub(super) use table::ClassTable;
 pub(super) use work::show as show_work;
@@ -36,11 +35,8 @@ const BOARD: BoardNumber = BoardNumber(u32::MAX);
 /// What is known of a class. Nothing of it is kept: when the page is closed, the names are gone.
 pub(super) struct Collected {
     pub(super) class: Class,
-    order: Order,
-    /// The lesson whose table is shown, by its place.
-    lesson: usize,
-    /// The work that was looked at last.
-    chosen: Option<Chosen>,
+    /// Which of it is looked at.
+    looking: Looking,
     /// What is shown.
     pub(super) shows: Shows,
     asker: Asker,
@@ -90,14 +86,8 @@ pub(super) enum ClassMsg {
     Close,
     /// The class is forgotten.
     Forget,
-    /// In which order the rows stand.
-    Order(Order),
-    /// The lesson whose table is shown, by its place.
-    Lesson(usize),
-    /// A work is shown on the board.
-    Choose(Chosen),
-    /// The next work to look at, or the one before.
-    Look(bool),
+    /// Another part of it is looked at.
+    Look(LookAction),
     /// From the work back to the table.
     Back,
     /// The table is saved as CSV.
@@ -112,9 +102,7 @@ impl Collected {
     fn new(asker: Asker) -> Self {
         Self {
             class: Class::new([]),
-            order: Order::default(),
-            lesson: 0,
-            chosen: None,
+            looking: Looking::default(),
             shows: Shows::Nothing,
             asker,
             asked: None,
@@ -123,6 +111,17 @@ impl Collected {
             told: String::new(),
             version: 0,
             pause: None,
+        }
+    }
+
+    /// Shows the table of a lesson of which there are hand-ins, where the one that is shown has
+    /// none.
+    fn settle(&mut self) {
+        let tables = self.class.tables();
+        if let Some(first) = tables.first()
+            && !tables.contains(&self.looking.lesson)
+        {
+            self.looking = self.looking.reduce(LookAction::Lesson(*first), &self.class);
         }
     }
 
@@ -143,14 +142,14 @@ impl Collected {
     }
 
     fn save(&mut self) {
-        let text = csv::csv(&self.class, self.order);
+        let text = csv::csv(&self.class, self.looking.order);
         let blob = Blob::new_with_options(text.as_str(), Some("text/csv"));
         files::save_as("hand-ins.csv", blob);
         self.told = tr!("Saved as {name}.", name = "hand-ins.csv");
     }
 
     fn copy(&mut self, tell: Callback<ClassMsg>) {
-        let text = csv::csv(&self.class, self.order);
+        let text = csv::csv(&self.class, self.looking.order);
         copy::text(tr!("table"), &text, move |done| {
             tell.emit(ClassMsg::Told(match done {
                 Ok(()) => tr!("Table copied.").to_owned(),

@@ -1,7 +1,6 @@
 //! What a class did with each task, beside the table.
 
-use giveway_course::grade::{Share, Unread, Wrong};
-use giveway_course::lesson::Lesson;
+use giveway_course::grade::{Given, Share, Unread, Wrong};
 use giveway_model::tr;
 use yew::prelude::*;
 
@@ -14,7 +13,7 @@ const MOST_WRONG: usize = 4;
 const WIDTH: usize = 1_000;
 
 pub(super) fn show(class: &Collected) -> Html {
-    let place = class.lesson();
+    let place = class.looking.lesson;
     let Some(given) = class.class.lessons().get(place) else {
         return html! { <aside class="class-side">{ unread(class) }</aside> };
     };
@@ -24,7 +23,7 @@ pub(super) fn show(class: &Collected) -> Html {
         <aside class="class-side">
             <section aria-labelledby="class-did">
                 <h3 id="class-did">{ tr!("How the class did") }</h3>
-                <ol class="hows">{ for shares.iter().enumerate().map(|(n, it)| share(n, it, &given.lesson)) }</ol>
+                <ol class="hows">{ for shares.iter().map(|it| share(it, given)) }</ol>
                 <p class="sleg">
                     <span><i class="ok"></i>{ tr!("solved") }</span>
                     <span><i class="lie"></i>{ tr!("says solved, is not") }</span>
@@ -35,7 +34,7 @@ pub(super) fn show(class: &Collected) -> Html {
             if !wrong.is_empty() {
                 <section aria-labelledby="class-wrong">
                     <h3 id="class-wrong">{ tr!("Most common wrong answers") }</h3>
-                    { for shares.iter().enumerate().map(|(n, it)| wrong_of(n, it.step, &wrong, &given.lesson)) }
+                    { for shares.iter().map(|it| wrong_of(it.step, &wrong, given)) }
                 </section>
             }
             { unread(class) }
@@ -43,13 +42,8 @@ pub(super) fn show(class: &Collected) -> Html {
     }
 }
 
-fn title(n: usize, step: usize, lesson: &Lesson) -> String {
-    let title = lesson.steps.get(step).map_or("", |step| &step.title);
-    tr!("a task with its number" => "{n} {title}", n = n + 1, title)
-}
-
 /// A task's bar: solved, claimed, not solved, not tried; what is not decided is the rest.
-fn share(n: usize, share: &Share, lesson: &Lesson) -> Html {
+fn share(share: &Share, given: &Given) -> Html {
     let all = share.all().max(1);
     let honest = share.not_solved.saturating_sub(share.false_claims);
     let label = tr!(
@@ -76,14 +70,14 @@ fn share(n: usize, share: &Share, lesson: &Lesson) -> Html {
         .collect();
     html! {
         <li>
-            <span class="hn"><b>{ title(n, share.step, lesson) }</b><em>{ tr!("{n} of {all}", n = share.solved, all = share.all()) }</em></span>
+            <span class="hn"><b>{ given.task_words(share.step) }</b><em>{ tr!("{n} of {all}", n = share.solved, all = share.all()) }</em></span>
             <svg class="sbar" viewBox={format!("0 0 {WIDTH} 12")} preserveAspectRatio="none" role="img" aria-label={label}>{ for bars }</svg>
         </li>
     }
 }
 
 /// The wrong answers to a task, the most common first.
-fn wrong_of(n: usize, step: usize, wrong: &[Wrong], lesson: &Lesson) -> Html {
+fn wrong_of(step: usize, wrong: &[Wrong], given: &Given) -> Html {
     let of_task: Vec<&Wrong> = wrong.iter().filter(|it| it.step == step).collect();
     if of_task.is_empty() {
         return html! {};
@@ -99,7 +93,7 @@ fn wrong_of(n: usize, step: usize, wrong: &[Wrong], lesson: &Lesson) -> Html {
     };
     html! {
         <>
-            <p class="wq">{ title(n, step, lesson) }</p>
+            <p class="wq">{ given.task_words(step) }</p>
             <ol class="wl">{ for of_task.iter().take(MOST_WRONG).map(row) }</ol>
             if rest > 0 { <p class="quiet">{ tr!("and {n} more" | "and {n} more" % rest) }</p> }
         </>

@@ -1,11 +1,12 @@
 //! The table of a class, over the page: who handed in, and what each task is worth.
 
-use giveway_course::grade::{Came, Claim, Given, Graded, Judgement, Order, Row};
+use giveway_course::grade::{
+    Came, Chosen, Claim, Given, Graded, Judgement, LookAction, Order, Row,
+};
 use giveway_model::tr;
 use web_sys::{ClipboardEvent, wasm_bindgen::JsCast as _};
 use yew::prelude::*;
 
-use super::choice::Chosen;
 use super::{ClassMsg, Collected, keys, side};
 use crate::course::contents::use_modal;
 use crate::course::sight::{is_again, once};
@@ -94,7 +95,10 @@ impl Collected {
     }
 
     fn head(&self, send: &Callback<Msg>) -> Html {
-        let count = self.class.rows(self.lesson(), self.order).len();
+        let count = self
+            .class
+            .rows(self.looking.lesson, self.looking.order)
+            .len();
         let close = once(send, || Msg::Class(ClassMsg::Close));
         html! {
             <header class="sh">
@@ -116,19 +120,23 @@ impl Collected {
     /// The lessons, where there are several, and the order of the rows.
     fn above(&self, send: &Callback<Msg>) -> Html {
         let tables = self.class.tables();
-        let shown = self.lesson();
+        let shown = self.looking.lesson;
         let tab = |lesson: usize| {
             let title = self
                 .class
                 .lessons()
                 .get(lesson)
                 .map(|it| it.lesson.title.clone());
-            let press = once(send, move || Msg::Class(ClassMsg::Lesson(lesson)));
+            let press = once(send, move || {
+                Msg::Class(ClassMsg::Look(LookAction::Lesson(lesson)))
+            });
             html! { <button type="button" aria-pressed={(lesson == shown).to_string()} onclick={press}>{ title }</button> }
         };
         let order = |order: Order, words: &'static str| {
-            let press = once(send, move || Msg::Class(ClassMsg::Order(order)));
-            html! { <button type="button" aria-pressed={(order == self.order).to_string()} onclick={press}>{ words }</button> }
+            let press = once(send, move || {
+                Msg::Class(ClassMsg::Look(LookAction::Order(order)))
+            });
+            html! { <button type="button" aria-pressed={(order == self.looking.order).to_string()} onclick={press}>{ words }</button> }
         };
         html! {
             <div class="class-above">
@@ -146,19 +154,16 @@ impl Collected {
     }
 
     fn table(&self, send: &Callback<Msg>) -> Html {
-        let Some(given) = self.class.lessons().get(self.lesson()) else {
+        let Some(given) = self.class.lessons().get(self.looking.lesson) else {
             return html! {};
         };
-        let rows = self.class.rows(self.lesson(), self.order);
-        let title = |(n, step): (usize, usize)| {
-            let title = given.lesson.steps.get(step).map(|step| step.title.clone());
-            html! { <th scope="col">{ n + 1 }{ " " }{ title }</th> }
-        };
+        let rows = self.class.rows(self.looking.lesson, self.looking.order);
+        let title = |step: usize| html! { <th scope="col">{ given.task_words(step) }</th> };
         html! {
             <div class="class-rows"><table class="ktab">
                 <thead><tr>
                     <th scope="col">{ tr!("Who") }</th>
-                    { for given.tasks().enumerate().map(title) }
+                    { for given.tasks().map(title) }
                     <th scope="col" class="r">{ tr!("Solved") }</th>
                 </tr></thead>
                 <tbody>{ for rows.iter().enumerate().map(|(at, row)| self.row(at, row, given, send)) }</tbody>
@@ -173,10 +178,13 @@ impl Collected {
         let count = given.tasks().count();
         let cells = cells.take(count);
         let cell = |(task, graded): (usize, &Graded)| {
-            let chosen = Chosen { file, task };
-            let press = once(send, move || Msg::Class(ClassMsg::Choose(chosen)));
+            let step = graded.step;
+            let chosen = Some(Chosen { file, step });
+            let press = once(send, move || {
+                Msg::Class(ClassMsg::Look(LookAction::Choose(chosen)))
+            });
             let (class, sign, words) = state(graded);
-            let is_chosen = self.chosen == Some(chosen);
+            let is_chosen = self.looking.chosen == chosen;
             let label = match graded.tries() {
                 0 => words.to_owned(),
                 n => tr!("{words}, {n} try" | "{words}, {n} tries" % n, words),
@@ -192,7 +200,7 @@ impl Collected {
         };
         let files = row.files().len();
         html! {
-            <tr key={file} class={classes!(self.chosen.is_some_and(|it| it.file == file).then_some("cur"))}>
+            <tr key={file} class={classes!(self.looking.chosen.is_some_and(|it| it.file == file).then_some("cur"))}>
                 <th scope="row">
                     <bdi>{ row.title().to_owned() }</bdi>
                     if files > 1 { <small>{ tr!("{n} file" | "{n} files" % files) }</small> }

@@ -1,12 +1,10 @@
 //! The column beside the board that shows a student's work.
 
-use giveway_course::grade::{Claim, Graded};
+use giveway_course::grade::{Chosen, Claim, Given, Graded, LookAction, Row};
 use giveway_course::handin::answer_words;
-use giveway_course::lesson::Step;
 use giveway_model::tr;
 use yew::prelude::*;
 
-use super::choice::{Chosen, Looked};
 use super::table::state;
 use super::{ClassMsg, Collected};
 use crate::course::sight::once;
@@ -15,24 +13,25 @@ use crate::icon;
 
 /// The column; nothing where no work is chosen.
 pub(in crate::course) fn show(tutor: &Tutor, class: &Collected, send: &Callback<Msg>) -> Html {
-    let chosen = class.chosen;
-    let Some((chosen, looked)) = chosen.and_then(|it| Some((it, class.looked(it)?))) else {
+    let Some((row, task)) = class.looking.task(&class.class) else {
+        return html! {};
+    };
+    let place = row.file().lesson();
+    let Some(given) = place.and_then(|place| class.class.lessons().get(place)) else {
         return html! {};
     };
     let back = once(send, || Msg::Class(ClassMsg::Back));
-    let who = looked.file.hand_in().and_then(|it| it.name.clone());
-    let who = who.unwrap_or_else(|| looked.file.file.clone());
     html! {
         <aside class="insp lesson" aria-label={tr!("A student's work")}>
-            <div class="scroll" key={format!("{}.{}", chosen.file, chosen.task)}>
+            <div class="scroll" key={format!("{}.{}", row.place(), task.step)}>
                 <header class="qh">
                     <div class="lrow"><button type="button" class="crumb" onclick={back}>{ icon::show("back") }{ tr!("Class") }</button></div>
-                    <h2 tabindex="-1" ref={tutor.title.clone()}><bdi>{ who }</bdi></h2>
-                    <p class="lead">{ looked.given.lesson.title.clone() }</p>
+                    <h2 tabindex="-1" ref={tutor.title.clone()}><bdi>{ row.title().to_owned() }</bdi></h2>
+                    <p class="lead">{ given.lesson.title.clone() }</p>
                 </header>
-                { verdict(&looked) }
-                { tasks(&looked, chosen, send) }
-                { others(class, chosen) }
+                { verdict(class, task, given) }
+                { tasks(row, task, given, send) }
+                { others(class, row) }
             </div>
             { foot(class, send) }
         </aside>
@@ -40,27 +39,21 @@ pub(in crate::course) fn show(tutor: &Tutor, class: &Collected, send: &Callback<
 }
 
 /// How the task is judged, and what was answered.
-fn verdict(looked: &Looked<'_>) -> Html {
-    let graded = looked.graded;
-    let (class, sign, words) = state(graded);
-    let reason = match (graded.judgement(), looked.step) {
-        (Some(judgement), Some(step)) => judgement.reason(step),
-        (Some(judgement), None) => judgement.reason(&Step::default()),
-        (None, _) => String::new(),
+fn verdict(class: &Collected, task: &Graded, given: &Given) -> Html {
+    let Some(said) = class.looking.said(&class.class) else {
+        return html! {};
     };
-    let work = graded.work.as_ref();
-    let lesson = &looked.given.lesson;
-    let words_of = |answer| answer_words(answer, graded.step, lesson);
-    let answer = work.and_then(|work| work.answer.as_ref()).map(words_of);
-    let first = work.and_then(|work| work.first.as_ref()).map(words_of);
-    let tries = graded.tries();
+    let (class, sign, _) = state(task);
+    let first = task.work.as_ref().and_then(|work| work.first.as_ref());
+    let first = first.map(|answer| answer_words(answer, task.step, &given.lesson));
+    let tries = task.tries();
     html! {
         <section class={classes!("ex", "work", class)} role="status">
-            <p class="exk">{ icon::show(sign) }{ words }</p>
-            <h3>{ looked.step.map(|step| step.title.clone()) }</h3>
-            if !reason.is_empty() { <p>{ reason }</p> }
-            if graded.claim() == Claim::False { <p>{ tr!("The file says that it is solved.") }</p> }
-            if let Some(answer) = answer { <p><b>{ tr!("Answer") }</b>{ ": " }<bdi>{ answer }</bdi></p> }
+            <p class="exk">{ icon::show(sign) }{ said.head }</p>
+            <h3>{ given.task_words(task.step) }</h3>
+            if !said.reason.is_empty() { <p>{ said.reason }</p> }
+            if task.claim() == Claim::False { <p>{ tr!("The file says that it is solved.") }</p> }
+            if !said.answer.is_empty() { <p><b>{ tr!("Answer") }</b>{ ": " }<bdi>{ said.answer }</bdi></p> }
             if let Some(first) = first { <p><b>{ tr!("First answer") }</b>{ ": " }<bdi>{ first }</bdi></p> }
             if tries > 0 { <p class="quiet">{ tr!("{n} try, as the file says" | "{n} tries, as the file says" % tries) }</p> }
         </section>
@@ -68,16 +61,19 @@ fn verdict(looked: &Looked<'_>) -> Html {
 }
 
 /// The tasks of this student.
-fn tasks(looked: &Looked<'_>, chosen: Chosen, send: &Callback<Msg>) -> Html {
-    let card = |(task, graded): (usize, &Graded)| {
-        let (class, sign, words) = state(graded);
-        let title = looked.given.lesson.steps.get(graded.step);
-        let title = title.map_or("", |step| &step.title);
-        let next = Chosen { task, ..chosen };
-        let press = once(send, move || Msg::Class(ClassMsg::Choose(next)));
+fn tasks(row: Row<'_>, shown: &Graded, given: &Given, send: &Callback<Msg>) -> Html {
+    let card = |task: &Graded| {
+        let (class, sign, words) = state(task);
+        let next = Some(Chosen {
+            file: row.place(),
+            step: task.step,
+        });
+        let press = once(send, move || {
+            Msg::Class(ClassMsg::Look(LookAction::Choose(next)))
+        });
         html! {
-            <li><button type="button" class="hand-card" aria-pressed={(next == chosen).to_string()} onclick={press}>
-                <b>{ tr!("a task with its number" => "{n} {title}", n = task + 1, title) }</b>
+            <li><button type="button" class="hand-card" aria-pressed={(task.step == shown.step).to_string()} onclick={press}>
+                <b>{ given.task_words(task.step) }</b>
                 <small class={classes!("sign", class)}>{ icon::show(sign) }{ words }</small>
             </button></li>
         }
@@ -85,17 +81,14 @@ fn tasks(looked: &Looked<'_>, chosen: Chosen, send: &Callback<Msg>) -> Html {
     html! {
         <section aria-labelledby="work-tasks">
             <h3 id="work-tasks">{ tr!("All tasks") }</h3>
-            <ol class="hand-cards">{ for looked.file.tasks().iter().enumerate().map(card) }</ol>
+            <ol class="hand-cards">{ for row.tasks().iter().map(card) }</ol>
         </section>
     }
 }
 
 /// Other files of the same name, which do not count.
-fn others(class: &Collected, chosen: Chosen) -> Html {
-    let rows = class.class.rows(class.lesson(), class.order);
-    let row = rows.iter().find(|row| row.place() == chosen.file);
-    let places = row.map_or(&[][..], |row| row.files());
-    let others = places.iter().filter(|place| **place != chosen.file);
+fn others(class: &Collected, row: Row<'_>) -> Html {
+    let others = row.files().iter().filter(|place| **place != row.place());
     let names: Vec<&str> = others
         .filter_map(|place| Some(class.class.files().get(*place)?.file.as_str()))
         .collect();
@@ -112,12 +105,16 @@ fn others(class: &Collected, chosen: Chosen) -> Html {
 }
 
 fn foot(class: &Collected, send: &Callback<Msg>) -> Html {
-    let is_there = class.to_look_at(true).is_some();
-    let look = |on: bool| once(send, move || Msg::Class(ClassMsg::Look(on)));
+    let is_none = class.looking.to_look_at(&class.class).is_empty();
+    let look = |on: bool| {
+        once(send, move || {
+            Msg::Class(ClassMsg::Look(LookAction::LookAt(on)))
+        })
+    };
     html! {
         <footer class="foot">
-            <button type="button" class="btn outline" disabled={!is_there} onclick={look(false)}>{ icon::show("back") }<span>{ tr!("Before") }</span></button>
-            <button type="button" class="btn primary" disabled={!is_there} onclick={look(true)}><span>{ tr!("Next to look at") }</span></button>
+            <button type="button" class="btn outline" disabled={is_none} onclick={look(false)}>{ icon::show("back") }<span>{ tr!("the one before" => "Before") }</span></button>
+            <button type="button" class="btn primary" disabled={is_none} onclick={look(true)}><span>{ tr!("Next to look at") }</span></button>
         </footer>
     }
 }

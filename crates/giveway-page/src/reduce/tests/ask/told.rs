@@ -101,7 +101,10 @@ fn cancelling_keeps_what_is_known() {
     let kept = card(&state).unwrap();
     assert!(kept.verdict.is_some());
     let coming = kept.coming.unwrap();
-    assert_eq!((coming.is_looking, coming.doing.as_str()), (false, "Stopped"));
+    assert_eq!(
+        (coming.is_looking, coming.doing.as_str()),
+        (false, "Stopped")
+    );
     assert_eq!(coming.held, Held::default(), "nothing comes any more");
     let state = after(&asked(), [Action::Solve(SolveAction::Cancel)]);
     assert_eq!(card(&state), None, "nothing was known");
