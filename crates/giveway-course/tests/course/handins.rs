@@ -235,10 +235,8 @@ fn a_mail_survives_it() {
             assert_eq!(line.trim_end(), line);
             assert!(!line.starts_with([' ', '>']), "{line}");
         }
-        let quoted: String = text
-            .lines()
-            .map(|line| format!("> > {line}  \r\n"))
-            .collect();
+        let lines: Vec<&str> = text.lines().collect();
+        let quoted = format!("> > {}  \r\n", lines.join("  \r\n> > "));
         let mailed = format!("\u{feff}Hello,\r\nhere it is:\r\n{quoted}\r\n-- \r\nZoë\r\n");
         assert_eq!(read(&text).as_ref(), Ok(&made), "{name}");
         assert_eq!(read(&mailed).as_ref(), Ok(&made), "{name}");

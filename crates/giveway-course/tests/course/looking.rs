@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use giveway_course::grade::{Chosen, Class, Given, LookAction, Looking, Order};
 use giveway_course::handin::{
-    Answer, CardState, Done, Edits, Form, FormAction, FormEffect, Subject, Work, cards, link, read,
-    summary, write,
+    Answer, Card, CardState, Done, Edits, Form, FormAction, FormEffect, Subject, Work, cards, link,
+    read, summary, write,
 };
 use giveway_course::learner::Progress;
 use giveway_course::lesson::{Id, Value};
@@ -52,7 +52,7 @@ fn cards_show_what_the_lecturer_sees() {
         vec![guess(9, true), blocked(3, 1, false)],
     );
     let all = cards(&made, &lesson);
-    let states: Vec<String> = all.iter().map(|card| card.state_words()).collect();
+    let states: Vec<String> = all.iter().map(Card::state_words).collect();
     assert_eq!(
         states,
         ["solved, 2 tries", "not tried", "not solved, 1 try"]
