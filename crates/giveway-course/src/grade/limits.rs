@@ -2,8 +2,9 @@
 
 use giveway_solve::{Limits, Request};
 
-/// Units of work for a question at first, as [`Limits::work`] counts them.
-pub const FIRST_WORK: u64 = 20_000_000;
+/// Units of work for a question at first, as [`Limits::work`] counts them: some seconds on
+/// the largest boards.
+pub const FIRST_WORK: u64 = 4_000_000;
 /// How much more each time that undecided tasks are gone on with.
 pub(super) const MORE: u64 = 10;
 

@@ -20,7 +20,7 @@ impl NoFit {
     pub fn sentence(&self) -> String {
         match self {
             Self::Cell(cell) => tr!(
-                "The file edits the cell {cell} that this lesson lacks.",
+                "The file edits {cell}, which this lesson does not have, or which is so already.",
                 cell
             ),
             Self::Robot(name) => tr!(

@@ -10,6 +10,7 @@ use giveway_course::port::{BoardNumber, FromPage, Happened, ToPage};
 use giveway_model::Scene;
 use giveway_solve::{SilentHost, serve};
 
+use super::schema::with_definition;
 use super::tasks::{Answered, answers};
 use super::{judges, shipped};
 
@@ -235,10 +236,8 @@ fn a_mail_survives_it() {
             assert_eq!(line.trim_end(), line);
             assert!(!line.starts_with([' ', '>']), "{line}");
         }
-        let quoted: String = text
-            .lines()
-            .map(|line| format!("> > {line}  \r\n"))
-            .collect();
+        let lines: Vec<&str> = text.lines().collect();
+        let quoted = format!("> > {}  \r\n", lines.join("  \r\n> > "));
         let mailed = format!("\u{feff}Hello,\r\nhere it is:\r\n{quoted}\r\n-- \r\nZoë\r\n");
         assert_eq!(read(&text).as_ref(), Ok(&made), "{name}");
         assert_eq!(read(&mailed).as_ref(), Ok(&made), "{name}");
@@ -252,6 +251,25 @@ fn a_mail_survives_it() {
             assert_eq!(read(&quoted).as_ref(), Ok(&made));
         }
     }
+}
+
+#[test]
+fn the_schema_tells_what_is_in_it() {
+    let all: Vec<HandIn> = shipped::lessons()
+        .iter()
+        .map(|(name, lesson)| solved(name, lesson, "Ada"))
+        .collect();
+    with_definition("handIn", |validator| {
+        for made in &all {
+            let value = serde_json::to_value(made).unwrap();
+            let errors = validator.iter_errors(&value);
+            let errors: Vec<String> = errors.map(|error| error.to_string()).collect();
+            assert!(errors.is_empty(), "{}: {errors:?}", made.hand_in.lesson);
+            let mut other = value.clone();
+            other["scene"] = serde_json::json!({});
+            assert!(!validator.is_valid(&other));
+        }
+    });
 }
 
 #[test]

@@ -55,7 +55,7 @@ fn what_no_tool_changes_is_outside() {
             scene.assumptions.push(assumption());
         }),
         ("zones", |scene| {
-            scene.zones.push(Zone::of("far", vec![Cell::new(0, 1)]))
+            scene.zones.push(Zone::of("far", vec![Cell::new(0, 1)]));
         }),
         ("no zones", |scene| scene.zones.clear()),
         ("no rules", |scene| scene.constraints.clear()),
@@ -75,7 +75,7 @@ fn what_no_tool_changes_is_outside() {
     let robots: [(&str, Change); 5] = [
         ("battery", |scene| scene.agents[0].battery = None),
         ("heading", |scene| {
-            scene.agents[0].heading = Some(Heading::East)
+            scene.agents[0].heading = Some(Heading::East);
         }),
         ("a robot that faces", |scene| {
             scene.agents.push(Agent {

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::shipped;
 
 /// A validator of one definition, with the scenes and plans of the model's schema.
-fn with_definition<T>(name: &str, look: impl FnOnce(&Validator) -> T) -> T {
+pub(crate) fn with_definition<T>(name: &str, look: impl FnOnce(&Validator) -> T) -> T {
     let model: Value = serde_json::from_str(giveway_model::format::schema()).unwrap();
     let registry = Registry::new().add("urn:giveway:format:1", model).unwrap();
     let registry = registry.prepare().unwrap();
