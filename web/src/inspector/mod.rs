@@ -74,8 +74,10 @@ pub fn Inspector(props: &InspectorProps) -> Html {
     let elsewhere = elsewhere.filter(|_| state.view.selection == Selection::Nothing);
     let step = giveway_page::inside::column(state);
     let step = step.filter(|_| state.view.selection == Selection::Nothing);
-    let hand = giveway_page::inside::by_hand::column(state);
-    let hand = hand.filter(|_| state.view.selection == Selection::Nothing);
+    let is_by_hand = state.is_by_hand() && state.view.selection == Selection::Nothing;
+    let hand = is_by_hand
+        .then(|| giveway_page::inside::by_hand::column(state))
+        .flatten();
     let losses = giveway_page::ledger::column(state);
     let losses = losses.filter(|_| state.view.selection == Selection::Nothing);
     let order = giveway_page::order::column(state);
