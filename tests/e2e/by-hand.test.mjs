@@ -170,7 +170,7 @@ describe("search by hand", () => {
     if (playground.isPhone()) {
       await hand.shows("By hand");
     } else {
-      await page.getByRole("button", { name: "Search by hand" }).click();
+      await page.getByRole("button", { name: "Search by hand", exact: true }).click();
     }
     await hand.column.getByRole("heading", { name: "Cost 13. Which conflict?" }).waitFor();
     assert.equal(await lesson.isVisible(), false);

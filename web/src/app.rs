@@ -147,7 +147,7 @@ pub fn App() -> Html {
     let in_proof = state.is_inside() && state.inside.method == Method::Proof;
     html! {
         <ContextProvider<Clock> key={built} context={(*clock).clone()}>
-            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), is_marking.then_some("marking"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), covers_lesson.then_some("covers-lesson"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
+            <div class={classes!("app", phase_class(&state), is_answering.then_some("answering"), state.is_writing_rule().then_some("writing-rule"), is_marking.then_some("marking"), state.is_inside().then_some("inside"), is_reported.then_some("reported"), in_proof.then_some("in-proof"), covers_lesson.then_some("covers-lesson"), state.is_by_hand().then_some("by-hand"), lesson_class(&state))} data-tab={tab(state.shown_tab())} data-presents={presents(&state)}>
                 if is_presented {
                     { present::head(&state, &send) }
                 } else {

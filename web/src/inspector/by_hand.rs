@@ -135,7 +135,7 @@ fn split(column: &HandColumn, send: &Callback<Action>) -> Html {
     let keys = choosing(
         (at, column.robots.len()),
         HandAction::Robot,
-        (".named", send),
+        (".split-on", send),
     );
     let one = |(place, row): (usize, &RobotRow)| {
         html! {
@@ -147,7 +147,7 @@ fn split(column: &HandColumn, send: &Callback<Action>) -> Html {
         <section>
             <div class="sph">
                 <h3 id="split-on">{ tr!("Split on") }</h3>
-                <div class="seg named" role="radiogroup" aria-labelledby="split-on" onkeydown={keys}>{ for column.robots.iter().enumerate().map(one) }</div>
+                <div class="seg split-on" role="radiogroup" aria-labelledby="split-on" onkeydown={keys}>{ for column.robots.iter().enumerate().map(one) }</div>
             </div>
             <ul class="cons kids">{ for column.branches.iter().map(branch) }</ul>
         </section>

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use giveway_model::AtGoal;
+use giveway_model::{AtGoal, Cell};
 use giveway_solve::plan::{NodeFate, ToldConflict, words};
 
 use super::standing::is_open;
@@ -41,22 +41,27 @@ pub(crate) fn marks(state: &State) -> Option<(&TreeRun, u64, Option<ConflictPlac
 
 /// All robots that are on the cell of the conflict, and when.
 pub(crate) fn together(state: &State, answer: &Answer) -> Option<(Vec<usize>, u32)> {
-    let (cell, time) = match conflict(state)? {
+    let (cells, time) = match conflict(state)? {
         ToldConflict::Vertex { cell, time, .. } | ToldConflict::Target { cell, time, .. } => {
-            (*cell, *time)
+            (&[*cell][..], *time)
         }
-        ToldConflict::Swap { .. } => return None,
+        // Another robot may rest where one of both is.
+        ToldConflict::Swap { edge, time, .. } => (&edge[..], *time),
     };
     let plan = answer.plan()?;
     let stays = answer.draft.scene().rules.at_goal == AtGoal::Stay;
-    let agents = answer.draft.agents().iter().enumerate();
-    let there = agents.filter(|(_, agent)| {
-        let path = plan.paths.get(&agent.name);
-        let at = path.and_then(|path| {
+    let is_at = |name: &String, cell: Cell| {
+        let at = plan.paths.get(name).and_then(|path| {
             let rest = || path.last().filter(|_| stays);
             path.get(time as usize).or_else(rest)
         });
         at.copied().flatten() == Some(cell)
-    });
-    Some((there.map(|(number, _)| number).collect(), time))
+    };
+    let on = |cell: &Cell| -> Vec<usize> {
+        let agents = answer.draft.agents().iter().enumerate();
+        let there = agents.filter(|(_, agent)| is_at(&agent.name, *cell));
+        there.map(|(number, _)| number).collect()
+    };
+    let group = cells.iter().map(on).find(|group| group.len() > 1)?;
+    Some((group, time))
 }

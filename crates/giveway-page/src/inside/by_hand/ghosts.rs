@@ -5,7 +5,7 @@ use giveway_solve::plan::{NodeFate, ToldBranch, ToldConstraint, TreeNode, words}
 
 use super::HandRun;
 use super::column::left;
-use super::standing::is_plan;
+use super::standing::{is_done, is_plan};
 use crate::State;
 use crate::inside::index;
 
@@ -47,6 +47,9 @@ pub(crate) struct Ghost {
 
 /// The branches that the split of the chosen node would make.
 pub(crate) fn sprout(state: &State, node: u64) -> Vec<Ghost> {
+    if is_done(state) {
+        return Vec::new();
+    }
     let hand = &state.inside.by_hand;
     let choice = state
         .hand_run()

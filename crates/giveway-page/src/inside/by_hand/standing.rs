@@ -132,6 +132,7 @@ pub fn dock(state: &State) -> Option<(String, String)> {
     let run = state.hand_run()?;
     let nodes = run.tree.nodes.len();
     let splits = run.splits.len();
-    let of = tr!("behind the number of nodes" => "nodes, {n} split" | "nodes, {n} splits" % splits);
-    Some((nodes.to_string(), of))
+    let of = tr!("behind the number of nodes" => "node" | "nodes" % nodes);
+    let splits = tr!("{n} split" | "{n} splits" % splits);
+    Some((nodes.to_string(), format!("{of}, {splits}")))
 }

@@ -14,7 +14,9 @@ impl Drawn<'_> {
         has_children: bool,
     ) -> NodeBox {
         let is_chosen = node.id == self.chosen;
-        let own = self.by_hand.and_then(|_| by_hand::lines(node, is_chosen));
+        let own = self
+            .by_hand
+            .and_then(|_| by_hand::lines(node, is_chosen && !by_hand::is_done(self.state)));
         let lines = own.unwrap_or_else(|| lines(node));
         let look = self.by_hand.and_then(|_| by_hand::look(node));
         let class = look.unwrap_or(match node.fate {

@@ -6,7 +6,7 @@ use giveway_course::lesson::Layer;
 use giveway_solve::plan::{HandSplit, MOST_SPLITS, NodeFate, ToldBranch, words};
 
 use super::{choose, settle, show};
-use crate::inside::by_hand::HandRun;
+use crate::inside::by_hand::{HandRun, is_done};
 use crate::inside::{ByHand, HandAction, InsideAction, Method, What};
 use crate::lesson::Lesson;
 use crate::{State, Tab, Task};
@@ -125,6 +125,10 @@ fn look(state: &mut State, change: impl FnOnce(&mut ByHand)) {
 }
 
 fn split(state: &mut State) {
+    // What is proved needs no more splits.
+    if is_done(state) {
+        return;
+    }
     let own = &state.inside.by_hand;
     let Some(run) = state.hand_now() else { return };
     let Some(choice) = run.choice(own.conflict) else {

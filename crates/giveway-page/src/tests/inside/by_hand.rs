@@ -80,7 +80,7 @@ fn a_person_chooses_and_sees_both_branches_before() {
     );
     assert_eq!(
         dock(&state).unwrap(),
-        ("1".to_owned(), "nodes, 0 splits".to_owned())
+        ("1".to_owned(), "node, 0 splits".to_owned())
     );
 }
 
