@@ -135,7 +135,11 @@ fn a_class_is_looked_at_cell_by_cell() {
         "Student 2, 3 Block one cell: says solved, is not, 1 try"
     );
     let shown = looking.shown(&class).unwrap();
-    assert!(shown.scene.map[2].starts_with(".#"), "{:?}", shown.scene.map);
+    assert!(
+        shown.scene.map[2].starts_with(".#"),
+        "{:?}",
+        shown.scene.map
+    );
     let back = looking.reduce(LookAction::LookAt(false), &class);
     assert_eq!(back.chosen, Some(lies[0]));
     let back = back.reduce(LookAction::LookAt(false), &class);
