@@ -5,7 +5,7 @@ use giveway_solve::Response;
 
 use super::pointed::{self, Pointed};
 use super::{Action, AskNumber, Effect, Judge, Learner, Open, Proof, Stage};
-use crate::judge::Did;
+use crate::judge::{Did, may_bring};
 use crate::lesson::Id;
 use crate::port::{BoardNumber, FromPage, Happened, ToPage};
 
@@ -107,9 +107,10 @@ impl Learner {
             }
             return self.close(effects);
         }
-        // A step without a scene goes on with the board as it is, if that can be.
+        // A step without a scene goes on with the board as it is, if that can be: whoever
+        // judges a hand-in later believes no other board.
         let after = open.at + 1;
-        let board = Some(&open.scene).filter(|board| open.lesson.goes_on_with(after, board));
+        let board = Some(&open.scene).filter(|board| may_bring(&open.lesson, after, board).is_ok());
         let kept = board.cloned();
         self.go(Some(after), kept, effects);
     }

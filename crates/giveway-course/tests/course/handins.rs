@@ -184,6 +184,29 @@ fn progress_that_was_kept_before_is_read() {
     assert_eq!(progress.write(), kept);
 }
 
+/// Two tabs: what was solved in one of them is handed in from the other.
+#[test]
+fn answers_of_another_tab_come_in() {
+    let name = "room-to-pass";
+    let lesson = Rc::new(shipped::lesson(name));
+    let [mut one, mut other] = [Student::new(), Student::new()];
+    one.opens(name, &lesson, 1);
+    one.does(Action::Guess(Value::Number(9)));
+    other.opens(name, &lesson, 1);
+    other.does(Action::Guess(Value::Number(7)));
+    other.does(Action::Guess(Value::Number(8)));
+    other.opens(name, &lesson, 2);
+    other.does(Action::Choose(0));
+    let theirs = other.learner.progress.clone();
+    other.does(Action::Kept(one.learner.progress.clone()));
+    one.does(Action::Kept(theirs));
+    let id: Id = name.parse().unwrap();
+    let [one, other] = [one, other].map(|it| hand_in(&it.learner.progress, &id, &lesson, ""));
+    assert_eq!(one, other);
+    let solved: Vec<bool> = one.tasks.iter().map(|work| work.solved).collect();
+    assert_eq!(solved, [true, false]);
+}
+
 /// The board that the step before left goes along, and lays out again.
 #[test]
 fn a_board_that_was_edited_before_goes_along() {
@@ -214,6 +237,14 @@ fn a_board_that_was_edited_before_goes_along() {
     let shown = Shown::of(work, &lesson).unwrap();
     assert_eq!(shown.scene.map[0], ".#..");
     assert_eq!(shown.start, shown.scene);
+    // A board on which more was done than the step allows is not gone on with.
+    student.opens("own-1", &lesson, 0);
+    let mut scene = lesson.scene(0).unwrap().clone();
+    scene.agents[0].goal = Some(giveway_model::Cell::new(1, 0));
+    student.says(Happened::Board(Box::new(scene)));
+    student.does(Action::Next);
+    let open = student.learner.open.as_ref().unwrap();
+    assert_eq!(open.scene(), lesson.scene(0).unwrap());
     // Not one that the steps before cannot leave.
     let mut other = work.clone();
     other.board.robots = vec![giveway_model::Agent::new(

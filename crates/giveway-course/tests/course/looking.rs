@@ -130,7 +130,11 @@ fn a_class_is_looked_at_cell_by_cell() {
     assert_eq!(said.answer, "(1, 2) an obstacle");
     assert!(!said.reason.is_empty());
     let shown = looking.shown(&class).unwrap();
-    assert!(shown.scene.map[2].starts_with(".#"), "{:?}", shown.scene.map);
+    assert!(
+        shown.scene.map[2].starts_with(".#"),
+        "{:?}",
+        shown.scene.map
+    );
     let back = looking.reduce(LookAction::LookAt(false), &class);
     assert_eq!(back.chosen, Some(lies[0]));
     let back = back.reduce(LookAction::LookAt(false), &class);
