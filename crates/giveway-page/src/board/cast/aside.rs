@@ -31,7 +31,9 @@ pub(super) fn asides(
     agents: &[Agent],
 ) -> BTreeMap<usize, Vec<Aside>> {
     let mut asides: BTreeMap<usize, Vec<Aside>> = BTreeMap::new();
-    if let Some((group, time)) = inside::on_one_cell(state, answer) {
+    if state.is_inside()
+        && let Some((group, time)) = inside::on_one_cell(state, answer)
+    {
         let (time, count) = (f64::from(time), group.len());
         for (place, agent) in group.into_iter().enumerate() {
             asides.insert(agent, vec![Aside { time, place, count }]);

@@ -6,13 +6,14 @@ mod column;
 mod done;
 mod ghosts;
 mod run;
+mod splits;
 mod standing;
 mod steps;
 mod tally;
 
 use std::rc::Rc;
 
-use giveway_solve::plan::{ByHand as Asked, HandSplit};
+use giveway_solve::plan::ByHand as Asked;
 
 pub use column::{Branch, ConflictRow, HandColumn, RobotRow, column};
 pub use done::TallyRow;
@@ -21,6 +22,7 @@ pub use steps::StepRow;
 pub(crate) use board::{marks, plan, together};
 pub(crate) use ghosts::{above, lines, look, sprout};
 pub(crate) use run::HandRun;
+pub use splits::Splits;
 pub(crate) use standing::{Standing, standing};
 pub use standing::{dock, has_splits, is_done, status};
 pub(crate) use steps::said;
@@ -36,9 +38,9 @@ pub struct ByHand {
     /// Whether the text of a lesson has the place of the column.
     pub reads: bool,
     /// The splits so far, the first of them first.
-    pub(crate) splits: Vec<HandSplit>,
+    pub(crate) splits: Splits,
     /// Splits that were taken back, the last of them last.
-    pub(crate) taken_back: Vec<HandSplit>,
+    pub(crate) taken_back: Splits,
     /// The node, by its number.
     pub(crate) node: u64,
     /// Which of its conflicts, by time.
@@ -97,7 +99,7 @@ impl State {
 /// What the worker is asked.
 pub(crate) fn asked(hand: &ByHand) -> Asked {
     Asked {
-        splits: hand.splits.clone(),
+        splits: hand.splits.to_vec(),
         node: hand.node,
     }
 }

@@ -122,7 +122,7 @@ pub fn is_done(state: &State) -> bool {
 }
 
 /// Whether there is something to take back.
-pub const fn has_splits(state: &State) -> bool {
+pub fn has_splits(state: &State) -> bool {
     !state.inside.by_hand.splits.is_empty()
 }
 

@@ -221,7 +221,7 @@ fn an_edit_begins_anew() {
     let split = hand(&open(&crossing()), [HandAction::Split]);
     assert_eq!(split.inside.by_hand.splits.len(), 1);
     let edited = after(&split, [Action::Edit(Edit::Within(Some(9)))]);
-    assert_eq!(edited.inside.by_hand.splits, []);
+    assert!(edited.inside.by_hand.splits.is_empty());
     assert_eq!(tree_view(&settled(&edited)).unwrap().nodes.len(), 1);
 }
 
