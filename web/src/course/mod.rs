@@ -22,6 +22,7 @@ mod language;
 mod language_button;
 mod lesson;
 mod line;
+mod msg;
 mod own;
 mod place;
 mod print;
