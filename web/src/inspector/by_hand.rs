@@ -106,7 +106,6 @@ fn conflicts(column: &HandColumn, send: &Callback<Action>) -> Html {
         html! {
             <button type="button" role="radio" class="cfl" aria-checked={row.is_on.to_string()} aria-label={row.name.clone()} {title}
                 tabindex={if row.is_on { "0" } else { "-1" }} onclick={send.reform(move |_| act(HandAction::Conflict(place)))}>
-                <i class="rad"></i>
                 <span>{ robot(*a) }<b>{ first.clone() }</b><em>{ format!(" {} ", row.verb) }</em>{ robot(*b) }<b>{ second.clone() }</b></span>
                 <small>{ row.place.clone() }</small>
             </button>
@@ -159,7 +158,7 @@ fn branch(branch: &Branch) -> Html {
         <li>
             if let Some(agent) = branch.agent { { glyph::show(agent, "cons-glyph") } }
             <span>{ branch.text.clone() }<small>{ branch.small.clone() }</small></span>
-            <b class={classes!(branch.is_dead.then_some("bad"))}>{ branch.cost.clone() }</b>
+            <b>{ branch.cost.clone() }</b>
         </li>
     }
 }
