@@ -32,10 +32,11 @@ const LATER_SCRIPTS = ["present.js"];
 const ON_DEMAND = /^static\/(maps|languages)\//;
 /** What only translators read in a catalogue. */
 const REMARKS = /^(#.*)?\n/gm;
-/** The style sheets that come later: those of the course when it is opened, that of presenting when that begins. */
+/** The style sheets that come later: those of the course when it is opened, those of presenting and of a search by hand when that begins. */
 const LATER_STYLES = [
   ["course-style", /^(author|course|lesson|print|tour)\.css$/],
   ["present-style", /^present\.css$/],
+  ["hand-style", /^by-hand\.css$/],
 ];
 const STYLES = /<link rel="stylesheet" href="\.\/([^"]+)"[^>]*>\s*/g;
 

@@ -106,10 +106,29 @@ impl TabsProps {
     }
 }
 
+/// Fetches the style sheet; while one works on the page, it is there already.
+fn dress() {
+    let document = gloo::utils::document();
+    let find = |place| document.query_selector(place).ok().flatten();
+    let meta = find("meta[name=giveway-hand-style]");
+    let path = meta.as_ref().and_then(|meta| meta.get_attribute("content"));
+    let (Some(meta), Some(path), Some(head)) = (meta, path, find("head")) else {
+        return;
+    };
+    if let Ok(link) = document.create_element("link") {
+        // Neither fails for a name and an element such as these.
+        let _ = link.set_attribute("rel", "stylesheet");
+        let _ = link.set_attribute("href", &path);
+        let _ = head.append_child(&link);
+        meta.remove();
+    }
+}
+
 /// The tabs of a phone.
 #[component]
 pub(super) fn HandTabs(props: &TabsProps) -> Html {
     let TabsProps { at, tabs, send } = props;
+    use_effect_with((), |()| dress());
     let list = use_node_ref();
     let onkeydown = {
         let (list, props) = (list.clone(), props.clone());

@@ -48,7 +48,7 @@ pub(super) fn Tree(props: &TreeProps) -> Html {
                 aria-activedescendant={chosen.map(|node| id(node.id))} {onkeydown}>
                 <path class="e" d={lines} role="presentation" />
                 <path class="e on" d={on} role="presentation" />
-                <path class="e" d={view.ghost_lines.clone()} role="presentation" />
+                <path class="e gh" d={view.ghost_lines.clone()} role="presentation" />
                 { for view.nodes.iter().map(|node| node_box(node, send)) }
                 <g aria-hidden="true">{ for view.ghosts.iter().map(ghost) }</g>
                 { for view.folds.iter().map(fold) }
