@@ -30,7 +30,7 @@ const SPEC: &str = r#"
     command = "true {map} {out}"
     [[planner]]
     name = "lies"
-    command = "sh -c 'GIVEWAY solve \"$0\" --agents \"$1\" --planner prioritised --format json -q >plan.json; GIVEWAY convert --to result.txt \"$0\" plan.json --agents \"$1\" >\"$2\"; sed -i.old s/^soc=/soc=1/ \"$2\"' {scen} {agents} {out}"
+    command = "sh -c 'GIVEWAY solve \"$0\" --agents \"$1\" --planner prioritised --format json -q >plan.json; GIVEWAY convert --to result.txt -o made \"$0\" plan.json; sed s/^soc=/soc=1/ made/plan-result.txt >\"$2\"' {scen} {agents} {out}"
 "#;
 
 fn folder() -> Folder {

@@ -10,8 +10,9 @@ use std::process::{Child, Command, Stdio};
 
 use rustix::process::Pid;
 
-/// What the shell does: it reads until the pipe is closed.
-const SCRIPT: &str = "read -r line; kill -KILL -- \"-$1\"";
+/// What the shell does: it reads until the pipe is closed. This is how POSIX writes it; with
+/// `-KILL` some shells take no `--`.
+const SCRIPT: &str = "read -r line; kill -s KILL -- \"-$1\"";
 
 /// The shell that waits beside a planner; it ends when this is dropped.
 pub(super) struct Guard(Option<Child>);

@@ -22,7 +22,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::words::name;
 use giveway_model::{Cost, Objective};
 
-use super::{budget, has_budgets, objective};
+use super::{budget, objective};
 use crate::{Method, Row, RowStatus};
 pub(super) use first::First;
 pub(super) use gap::Gap;
@@ -78,15 +78,23 @@ pub(super) fn comparisons(rows: &[Row]) -> Vec<Comparison> {
     for row in rows.iter().filter(|row| row.status != RowStatus::Error) {
         by_objective.entry(objective(row)).or_default().push(row);
     }
-    let is_told = has_budgets(rows);
+    let mut budgets: BTreeMap<&Method, BTreeSet<String>> = BTreeMap::new();
+    for row in rows {
+        budgets
+            .entry(&row.planner)
+            .or_default()
+            .insert(row.budget());
+    }
+    budgets.retain(|_, budgets| budgets.len() > 1);
+    let several: BTreeSet<&Method> = budgets.into_keys().collect();
     let rows = by_objective.into_values();
-    rows.map(|rows| Comparison::new(&rows, is_told)).collect()
+    rows.map(|rows| Comparison::new(&rows, &several)).collect()
 }
 
-/// The name of a planner, with its budget where planners have several.
-fn named(row: &Row, is_told: bool) -> String {
+/// The name of a planner, with its budget where it has several.
+fn named(row: &Row, several: &BTreeSet<&Method>) -> String {
     let planner = &row.planner;
-    if is_told {
+    if several.contains(planner) {
         format!("{planner}, {}", budget(row))
     } else {
         planner.to_string()
@@ -111,7 +119,7 @@ fn first_cost(objective: &Objective) -> Option<Cost> {
 }
 
 impl Comparison {
-    fn new(rows: &[&Row], is_told: bool) -> Self {
+    fn new(rows: &[&Row], several: &BTreeSet<&Method>) -> Self {
         let cost = rows
             .iter()
             .find_map(|row| first_cost(row.objective.as_ref()?));
@@ -128,7 +136,7 @@ impl Comparison {
             .collect();
         let mut planners: BTreeMap<(usize, String), Vec<&Row>> = BTreeMap::new();
         for row in &rows {
-            let key = (rank(&row.planner), named(row, is_told));
+            let key = (rank(&row.planner), named(row, several));
             planners.entry(key).or_default().push(row);
         }
         let common = common(planners.values(), &known);

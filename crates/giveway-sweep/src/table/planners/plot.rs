@@ -86,7 +86,7 @@ impl Plot {
             .filter_map(|(index, end)| Some((index, (*end)?)))
             .collect();
         let wanted: Vec<f64> = named.iter().map(|(_, (_, y))| *y).collect();
-        let heights = spread(&wanted, APART, TOP, HEIGHT - 26.0);
+        let heights = spread(&wanted, APART, TOP, BOTTOM);
         for ((index, (x, y)), height) in named.into_iter().zip(heights) {
             let (from, y) = (number(x + 3.0), number(y));
             let (at, below) = (number(height), number(height + 4.0));
