@@ -7,7 +7,7 @@ use giveway_course::judge::{Did, Why};
 use giveway_course::learner::{
     Action, AskNumber, Effect, Judge, Learner, Onward, Progress, Proof, Stage, reduce,
 };
-use giveway_course::lesson::{Id, Lesson, Value};
+use giveway_course::lesson::{Id, Lesson, Tool, Value};
 use giveway_course::port::{BoardNumber, BoardPlan, FromPage, Hand, Happened, Lit, Pick, ToPage};
 use giveway_model::Cell;
 use giveway_model::format::native;
@@ -524,6 +524,7 @@ fn an_answer_counts_though_the_step_is_left_before_it_is_judged() {
 #[test]
 fn a_step_without_a_scene_goes_on_with_the_board_as_it_is() {
     let mut lesson = shipped::lesson("room-to-pass");
+    lesson.steps[2].tools = vec![Tool::Obstacle, Tool::Erase];
     lesson.steps[3].scene = None;
     let open = Action::Open {
         id: id("room-to-pass"),
