@@ -85,6 +85,6 @@ describe("a lesson", () => {
     await course.says(/Type a whole number/);
     await field.fill("99");
     await playground.key("Enter");
-    await course.says(/you said 99; proved is \d+\. Both go around\./i);
+    await course.says(/99 your guess \d+ proved Both go around\./i);
   });
 });

@@ -17,13 +17,13 @@ pub(super) fn limited(mut request: Request, work: u64) -> Request {
         Request::Freedom(request) => &mut request.limits,
         Request::Plan(request) => &mut request.limits,
         Request::Change(request) => &mut request.limits,
+        Request::Price(request) => &mut request.limits,
+        Request::Delays(request) => &mut request.limits,
         // No judge asks these.
         Request::Check(_)
         | Request::Certify(_)
         | Request::Export(_)
         | Request::Together(_)
-        | Request::Price(_)
-        | Request::Delays(_)
         | Request::Order(_)
         | Request::Sizing(_) => return request,
     };

@@ -70,6 +70,8 @@ fn solutions_are_solved_and_wrong_answers_are_not() {
         Request::Freedom(request) => &request.limits,
         Request::Plan(request) => &request.limits,
         Request::Change(request) => &request.limits,
+        Request::Price(request) => &request.limits,
+        Request::Delays(request) => &request.limits,
         other => panic!("{other:?}"),
     });
     for limits in limits {
