@@ -15,11 +15,11 @@ use yew::prelude::*;
 
 use super::address;
 use super::asker::Asker;
-use super::author::{Author, AuthorMsg, is_own};
+use super::author::{Author, is_own};
 use super::class::{self, ClassMsg, ClassTable, Collected, Shows};
 use super::contents::{Contents, Page};
 use super::enter::no_lesson;
-use super::handin::{HandMsg, Handing};
+use super::handin::Handing;
 use super::kept::Kept;
 use super::keys;
 use super::language;
