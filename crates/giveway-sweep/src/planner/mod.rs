@@ -20,7 +20,8 @@ mod output;
 #[cfg(unix)]
 mod run;
 mod spec;
-#[cfg(all(unix, test))]
+#[cfg(unix)]
+#[cfg(test)]
 mod tests;
 #[cfg(unix)]
 mod usage;

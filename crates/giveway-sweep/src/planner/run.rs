@@ -209,11 +209,12 @@ impl<'a> Job<'a> {
     /// After so many seconds on the wall it is ended, whatever it used.
     fn seconds_on_the_wall(&self) -> Option<f64> {
         let limit = self.limits.seconds?;
-        Some(match self.clock {
-            Clock::Wall => limit,
-            Clock::Cpu if usage::own_peak().is_some() => WALL_FACTOR * limit + WALL_MORE,
-            // Nothing tells what it uses while it runs.
-            Clock::Cpu => limit,
+        // Elsewhere nothing tells what it uses while it runs.
+        let is_of_cpu = self.clock == Clock::Cpu && usage::own_peak().is_some();
+        Some(if is_of_cpu {
+            WALL_FACTOR * limit + WALL_MORE
+        } else {
+            limit
         })
     }
 }

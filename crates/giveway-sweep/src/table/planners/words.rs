@@ -1,5 +1,6 @@
 //! The comparison as a table, and its sentences.
 
+use std::fmt::Write as _;
 use std::time::Duration;
 
 use giveway_model::words::count;
@@ -104,10 +105,8 @@ pub(super) fn scope(comparison: &Comparison) -> String {
     }
     let mut text = format!("{instances}: {}. {cost}.", parts.join(", "));
     if !comparison.limits.words.is_empty() {
-        text.push_str(&format!(
-            " {} for each.",
-            comparison.limits.words.join(" and ")
-        ));
+        let limits = comparison.limits.words.join(" and ");
+        let _ = write!(text, " {limits} for each.");
     }
     text
 }
