@@ -34,7 +34,7 @@ const ON_DEMAND = /^static\/(maps|languages)\//;
 const REMARKS = /^(#.*)?\n/gm;
 /** The style sheets that come later: those of the course when it is opened, those of presenting and of a search by hand when that begins. */
 const LATER_STYLES = [
-  ["course-style", /^(author|course|lesson|print|tour)\.css$/],
+  ["course-style", /^(author|class|course|lesson|print|tour)\.css$/],
   ["present-style", /^present\.css$/],
   ["hand-style", /^by-hand\.css$/],
 ];
