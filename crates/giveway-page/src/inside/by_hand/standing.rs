@@ -107,7 +107,7 @@ pub(super) fn counted(state: &State, run: &HandRun, cost: u32) -> String {
 
 /// How far the claim reaches, where it does not reach for ever.
 fn within(run: &HandRun) -> String {
-    match run.proved.and_then(|reach| reach.within()) {
+    match run.proved.and_then(giveway_solve::Reach::within) {
         Some(within) => tr!(
             " That holds for plans of makespan at most {within}.",
             within
