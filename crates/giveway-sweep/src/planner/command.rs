@@ -68,7 +68,7 @@ impl Command {
     }
 
     /// The words with the values of a task.
-    #[cfg_attr(not(unix), expect(dead_code, reason = "commands are run on Unix only"))]
+    #[cfg_attr(not(unix), allow(dead_code, reason = "commands are run on Unix only"))]
     pub(crate) fn words<'a>(&self, value: &dyn Fn(Placeholder) -> &'a OsStr) -> Vec<OsString> {
         let word = |pieces: &Vec<Piece>| {
             let mut word = OsString::new();
