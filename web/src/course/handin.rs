@@ -175,7 +175,7 @@ fn content() -> Html {
         <section class="in-out" aria-label={tr!("What is in the file")}>
             { list(tr!("In the file"), "check", [
                 tr!("your name and the lesson"),
-                tr!("your last answer to each task, and what you changed on the board"),
+                tr!("your first and last answer to each task, and what you changed on the board"),
                 tr!("how often you tried"),
             ]) }
             { list(tr!("Not in it"), "cancel", [
