@@ -20,9 +20,9 @@ const LATER = /^app-.*_later\.wasm$/;
  */
 const STAGES = [
   ["until something moves", /^$|^style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 33_200],
-  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 613_000],
-  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 770_000],
-  ["until all of the page is there", LATER, 1_360_000],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 620_000],
+  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 777_000],
+  ["until all of the page is there", LATER, 1_387_000],
 ];
 
 let host;
