@@ -116,6 +116,9 @@ describe("the hand-ins of a class", () => {
     await table.getByRole("button", { name: "says solved, is not, 1 try" }).waitFor();
     const unread = await table.locator(".unr li").allInnerTexts();
     assert.deepEqual(unread.map((line) => line.split("\n")[0]), ["homework.pdf", "cut.json"]);
+    // Each task has its column, tried or not.
+    const lefts = await table.locator("tbody tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => Math.round(cell.getBoundingClientRect().left)).join(" ")));
+    assert.equal(new Set(lefts).size, 1, lefts.join("; "));
     await playground.picture("class");
 
     const csv = await saved(page, () => table.getByRole("button", { name: "Save as CSV" }).click());

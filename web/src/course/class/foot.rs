@@ -65,6 +65,10 @@ impl Collected {
         if !self.told.is_empty() {
             return self.told.clone();
         }
+        if all == 0 {
+            // Nothing is judged before its lesson is there.
+            return String::new();
+        }
         if self.class.is_cancelled() {
             return tr!("Stopped: {done} of {all} judged.", done, all);
         }
