@@ -50,10 +50,10 @@ test("a changed file changes the paths of all that name it, and no other", () =>
   }
 });
 
-test("style sheets are joined, those of course and presenting apart", () => {
+test("style sheets are joined, those of what comes later apart", () => {
   const folder = built();
   const sheets = readdirSync(folder).filter((name) => name.endsWith(".css")).map((name) => name.replace(/-[0-9a-f]{16}/, ""));
-  assert.deepEqual(sheets.sort(), ["course-style.css", "present-style.css", "style.css"]);
+  assert.deepEqual(sheets.sort(), ["course-style.css", "hand-style.css", "present-style.css", "style.css"]);
   assert.equal([...at(folder, "index.html").matchAll(/rel="stylesheet"/g)].length, 1);
   rmSync(folder, { recursive: true });
 });
