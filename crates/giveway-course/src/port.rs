@@ -7,7 +7,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::change::Changes;
 use giveway_model::check::Violation;
-use giveway_model::{Cell, Constraint, Plan, Scene, Zone};
+use giveway_model::{Cell, Constraint, Cost, Plan, Scene, Zone};
 use giveway_solve::change::Method;
 
 use crate::lesson::{Layer, Tool};
@@ -152,6 +152,23 @@ pub struct Evidence {
     pub time: Option<u32>,
     /// Whether no plan is better than this one, as it is proved.
     pub proved: bool,
+    /// What it would be without a rule.
+    pub without: Option<WithoutRule>,
+}
+
+/// The best plan without a rule, beside the best one with it: what the rule costs.
+#[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
+pub struct WithoutRule {
+    /// The rule, by its number in the scene, from 0.
+    pub rule: u32,
+    /// The plan without it.
+    pub plan: Plan,
+    /// The first cost of the objective.
+    pub cost: Cost,
+    /// How much of it the best plan with the rule has.
+    pub with: u32,
+    /// How much of it the plan without the rule has.
+    pub without: u32,
 }
 
 impl Evidence {

@@ -92,12 +92,22 @@ fn elsewhere(open: &Open, send: &Callback<Msg>) -> Html {
             <button type="button" class="btn ghost" title={tr!("The lesson on paper, its answers apart")} onclick={press(|| Msg::Print)}>
                 { icon::show("file") }<span>{ tr!("Print") }</span>
             </button>
-            if handin::can_begin(open) {
-                <button type="button" class="btn ghost" title={tr!("Save your answers for your lecturer")} onclick={press(|| Msg::Hand(HandMsg::Begin))}>
-                    { icon::show("share") }<span>{ tr!("Hand in") }</span>
-                </button>
-            }
+            // After the last step it stands beside the way on.
+            if !open.is_last() { { hand_in("btn ghost", open, send) } }
         </div>
+    }
+}
+
+/// The way to hand the lesson in, where it can be.
+fn hand_in(class: &'static str, open: &Open, send: &Callback<Msg>) -> Html {
+    if !handin::can_begin(open) {
+        return Html::default();
+    }
+    let onclick = once(send, || Msg::Hand(HandMsg::Begin));
+    html! {
+        <button type="button" {class} title={tr!("Save your answers for your lecturer")} {onclick}>
+            { icon::show("share") }<span>{ tr!("Hand in") }</span>
+        </button>
     }
 }
 
@@ -146,6 +156,7 @@ fn foot(tutor: &Tutor, open: &Open, send: &Callback<Msg>) -> Html {
             <button type="button" class="btn outline" disabled={open.index() == 0} data-turn="PageUp" onclick={back}>
                 { icon::show("back") }<span>{ tr!("a step" => "Back") }</span>
             </button>
+            if open.is_last() { { hand_in("btn outline", open, send) } }
             // A clicker does not end the lesson.
             <button type="button" {class} ref={tutor.next.clone()} data-turn={(!open.is_last()).then_some("PageDown")} onclick={next}><span>{ word }</span></button>
         </footer>

@@ -73,13 +73,17 @@ impl Judgement {
             Self::NotSolved(reason) | Self::Undecided(reason) => match reason {
                 Reason::Verdict(verdict) => {
                     let said = words::said(verdict, step);
-                    let text = said.text.plain();
-                    let mut letters = text.chars();
-                    let first = letters.next().into_iter().flat_map(char::to_uppercase);
-                    first.chain(letters).collect()
+                    capitalised(&said.text.plain())
                 }
                 Reason::Misfit(misfit) => misfit.sentence(),
             },
         }
     }
+}
+
+/// With a capital at the beginning.
+pub(super) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(letters).collect()
 }

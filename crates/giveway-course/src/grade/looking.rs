@@ -3,7 +3,8 @@
 use giveway_model::tr;
 
 use super::csv::plain;
-use super::{Claim, Class, Graded, Judgement, Order, Row};
+use super::judgement::capitalised;
+use super::{Claim, Class, Graded, Order, Row};
 use crate::handin::{Shown, answer_words};
 use crate::lesson::Step;
 
@@ -44,7 +45,7 @@ pub enum LookAction {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LookedAt {
     /// How it is judged against what its file says: `Says solved, is not`.
-    pub head: &'static str,
+    pub head: String,
     /// Who did it.
     pub who: String,
     /// What was done, in words; empty where nothing was.
@@ -133,13 +134,10 @@ impl Looking {
 }
 
 /// How a task is judged against what its file says.
-fn head(task: &Graded) -> &'static str {
+fn head(task: &Graded) -> String {
     match (task.claim(), task.judgement()) {
-        (Claim::False, _) => tr!("Says solved, is not"),
-        (_, Some(Judgement::Solved(_))) => tr!("a task" => "Solved"),
-        (_, Some(Judgement::NotSolved(_))) => tr!("Not solved"),
-        (_, Some(Judgement::NotTried)) => tr!("Not tried"),
-        (_, Some(Judgement::Undecided(_))) => tr!("Not decided"),
-        (_, None) => tr!("Not judged yet"),
+        (Claim::False, _) => tr!("Says solved, is not").to_owned(),
+        (_, Some(judgement)) => capitalised(judgement.word()),
+        (_, None) => tr!("Not judged yet").to_owned(),
     }
 }

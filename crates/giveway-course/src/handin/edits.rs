@@ -1,7 +1,10 @@
 //! Edits of a scene: what differs from the scene that the lecturer has.
 
-use giveway_model::{Agent, Cell, Grid, Ground, Scene, object_only};
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::fmt;
+
+use giveway_model::{Agent, Cell, Grid, Ground, Scene, object_only, tr};
+use serde::de::{self, IgnoredAny, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// What was edited of a scene.
 ///
@@ -38,14 +41,34 @@ impl Serialize for CellEdit {
 }
 
 impl<'de> Deserialize<'de> for CellEdit {
+    /// By hand, so that the words name the three values.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let (x, y, ground) = <(u32, u32, char)>::deserialize(deserializer)?;
-        let expected = ". # ~ + *";
-        let found = Ground::from_char(ground);
-        let ground = found
-            .ok_or_else(|| de::Error::custom(format!("found {ground:?}, expected {expected}")))?;
-        let cell = Cell::new(x, y);
-        Ok(Self { cell, ground })
+        struct Three;
+
+        impl<'de> Visitor<'de> for Three {
+            type Value = CellEdit;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(tr!("a cell and its ground, [x, y, \"#\"]"))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<CellEdit, A::Error> {
+                let short = |length| de::Error::invalid_length(length, &self);
+                let x = list.next_element()?.ok_or_else(|| short(0))?;
+                let y = list.next_element()?.ok_or_else(|| short(1))?;
+                let letter: char = list.next_element()?.ok_or_else(|| short(2))?;
+                if list.next_element::<IgnoredAny>()?.is_some() {
+                    return Err(short(4));
+                }
+                let ground = Ground::from_char(letter);
+                let unknown = || format!("found {letter:?}, expected . # ~ + *");
+                let ground = ground.ok_or_else(|| de::Error::custom(unknown()))?;
+                let cell = Cell::new(x, y);
+                Ok(CellEdit { cell, ground })
+            }
+        }
+
+        deserializer.deserialize_seq(Three)
     }
 }
 

@@ -13,7 +13,7 @@ use super::proved::{self, Proved};
 use super::statement::first_better;
 use super::{Why, ask};
 use crate::lesson::Value;
-use crate::port::Evidence;
+use crate::port::{Evidence, WithoutRule};
 
 /// A rule's price: the first cost of the best plan without it, and with it.
 pub(super) struct Price {
@@ -38,7 +38,7 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
     }
     let with = proved::solved(responses.first())?;
     let without = proved::solved(responses.get(1))?;
-    let (Proved::Best(with, plan), Proved::Best(without, _)) = (with, without) else {
+    let (Proved::Best(with, plan), Proved::Best(without, plan_without)) = (with, without) else {
         return Err(Why::NoPlan);
     };
     let first = scene.objective.costs().first().copied();
@@ -53,7 +53,16 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
         },
         // With one rule more, the first cost of the best plan is never less.
         steps: with.saturating_sub(without),
-        evidence: proved::best_plan(plan),
+        evidence: Evidence {
+            without: Some(WithoutRule {
+                rule,
+                plan: plan_without.clone(),
+                cost,
+                with,
+                without,
+            }),
+            ..proved::best_plan(plan)
+        },
     })
 }
 

@@ -124,7 +124,7 @@ fn a_class_is_looked_at_cell_by_cell() {
     assert_eq!(looking.chosen, Some(lies[1]));
     let said = looking.said(&class).unwrap();
     assert_eq!(
-        (said.head, said.who.as_str()),
+        (said.head.as_str(), said.who.as_str()),
         ("Says solved, is not", "Student 2")
     );
     assert_eq!(said.answer, "(1, 2) an obstacle");

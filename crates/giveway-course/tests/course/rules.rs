@@ -6,7 +6,7 @@ use giveway_course::author::check::{Finding, LessonCheck, Problem, Subject};
 use giveway_course::judge::words::said;
 use giveway_course::judge::{Did, Judging, Situation, Verdict, Why, begin, conclude};
 use giveway_course::lesson::{Step, Value, read_lesson};
-use giveway_model::Scene;
+use giveway_model::{Plan, Scene};
 use giveway_solve::{SilentHost, serve};
 use serde_json::{Value as Json, json};
 
@@ -167,11 +167,17 @@ fn a_price_is_told_with_both_plans() {
     let painted = |row: &str| {
         let mut scene = step.scene.clone().unwrap();
         scene.map[1] = row.to_owned();
-        let verdict = judged(&step, &scene, &Did::Edits);
-        (verdict.is_solved(), said(&verdict, &step).text.plain())
+        judged(&step, &scene, &Did::Edits)
     };
-    let dear = "rule 1 costs 1: the best makespan is 4 with it, and 3 without it.";
-    assert_eq!(painted("####."), (false, dear.to_owned()));
+    let dear = painted("####.");
+    let words = "rule 1 costs 1: the best makespan is 4 with it, and 3 without it.";
+    assert!(!dear.is_solved());
+    assert_eq!(said(&dear, &step).text.plain(), words);
+    let without = dear.evidence.without.unwrap();
+    assert_eq!((without.rule, without.with, without.without), (0, 4, 3));
+    let last = |plan: &Plan| plan.path("A2").len() - 1;
+    assert_eq!(last(&without.plan), 3);
+    assert_eq!(last(&dear.evidence.plan.unwrap()), 4);
 }
 
 #[test]

@@ -46,7 +46,7 @@ pub(crate) use outdated::{Outdated, sentence as outdated};
 pub(crate) use parts::parts;
 pub use pieces::{Piece, Slot, pieces};
 pub use price::{CostsOfRule, Tag};
-pub(crate) use price::{Pricing, Without, request, without};
+pub(crate) use price::{Pricing, Without, best_without, request, without};
 pub use shortest::{in_clash_robots, short_way};
 pub(crate) use times::broken;
 pub use times::{Stretch, TimesRow, in_lit_zone, times_row};

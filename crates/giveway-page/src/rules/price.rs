@@ -116,7 +116,12 @@ pub(crate) struct Without {
 
 /// The best plan without a rule, as far as its price is known.
 pub(crate) fn without(state: &State, rule: usize) -> Option<Without> {
-    let plan = price(state, rule)?.plan.clone()?;
+    best_without(state, rule, price(state, rule)?.plan.clone()?)
+}
+
+/// A plan without a rule, to be shown beside the one on the board; `None` where it is not legal
+/// in the scene without the rule.
+pub(crate) fn best_without(state: &State, rule: usize, plan: Plan) -> Option<Without> {
     let about = state.document.fresh_answer()?;
     let mut scene = state.document.draft.scene().clone();
     scene.constraints.get_mut(rule)?.off = true;
@@ -169,7 +174,10 @@ impl State {
     pub(crate) fn plan_without(&self) -> Option<&Without> {
         let without = self.view.rules.without.as_ref()?;
         let is_open = self.can_write_rules() && self.document.mode.asking().is_none();
-        let is_known = is_open && self.prices().is_some() && self.document.fresh_answer().is_some();
+        // A lesson gives the plan itself. Where there is one board, that is of the plan with it.
+        let is_given = self.lesson().is_some() && self.view.is_wide;
+        let is_priced = is_given || self.prices().is_some();
+        let is_known = is_open && is_priced && self.document.fresh_answer().is_some();
         Some(without).filter(|_| is_known)
     }
 

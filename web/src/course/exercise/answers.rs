@@ -9,7 +9,7 @@ use yew::prelude::*;
 
 use super::super::prose::{Reader, first_sentence};
 use super::super::tutor::{Msg, Tutor};
-use super::{free, hint, hints, is_answered, is_looking, judge, solved};
+use super::{free, hint, hints, is_answered, is_looking, judge, price, solved};
 use crate::icon;
 
 /// How an answer stands.
@@ -79,6 +79,7 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
         let press = if answered { &idle } else { &press };
         option(place, &answer.text, stands, note, press, reader)
     };
+    let shown = price::show(open).unwrap_or_else(|| free::beside(open, reader));
     html! {
         <section class="ask-it predicts" aria-labelledby="ex-h">
             <h3 id="ex-h">{ reader.show(&task.say) }</h3>
@@ -88,7 +89,7 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
                 <ol class={classes!("opts", answered.then_some("done"))}>{ for task.answers.iter().enumerate().map(one) }</ol>
             }
             <div class="judge-at" role="status">
-                if is_free && answered { { free::beside(open, reader) } }
+                if is_free && answered { { shown } }
                 { outcome(tutor, open, reader) }
             </div>
             if !answered {
@@ -136,7 +137,7 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
     };
     html! {
         <div class="why">
-            if verdict.is_solved() { <p class="exw">{ icon::show(tr!("an answer" => "proved")) }<b>{ tr!("a verdict" => "Solved") }</b></p> }
+            if verdict.is_solved() { <p class="exw">{ icon::show("proved") }<b>{ tr!("a verdict" => "Solved") }</b></p> }
             if is_reply || !shows_right || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
         </div>

@@ -5,6 +5,7 @@ mod change;
 mod free;
 mod judge;
 mod order;
+mod price;
 mod solved;
 mod spot;
 

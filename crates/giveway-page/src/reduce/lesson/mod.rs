@@ -222,6 +222,10 @@ fn show(state: &mut State, found: &Evidence) {
     if let Some(document) = shown.and_then(|plan| evidence(&draft, plan, changes)) {
         amend(state, document);
     }
+    if let Some(found) = &found.without {
+        let plan = found.plan.clone();
+        state.view.rules.without = crate::rules::best_without(state, found.rule as usize, plan);
+    }
     if let Some(time) = found.time {
         play::seek(state, time);
     }

@@ -1,7 +1,10 @@
 //! What is done on the board of a lesson, and what the lesson hears of it.
 
 use giveway_course::lesson::Layer;
-use giveway_course::port::{BoardNumber, BoardPlan, Evidence, Hand, Happened, Lit, Pick, ToPage};
+use giveway_course::port::{
+    BoardNumber, BoardPlan, Evidence, Hand, Happened, Lit, Pick, ToPage, WithoutRule,
+};
+use giveway_model::Cost;
 use giveway_model::format::native;
 
 use super::{Board, at, board, heard, opened, say, scene, swapping, told};
@@ -9,7 +12,7 @@ use crate::audit::bursts_of;
 use crate::reduce::tests::{after, stroke};
 use crate::steering::Lead;
 use crate::tests::{answered, saying, seek, select};
-use crate::{Action, BoardAction, PlayAction, Selection, State, Tab, Tool, sample};
+use crate::{Action, BoardAction, PlayAction, Selection, State, Tab, Tool, ViewAction, sample};
 
 fn press(x: u32, y: u32) -> [Action; 2] {
     [
@@ -74,6 +77,55 @@ fn evidence_is_shown_until_the_next_edit() {
     assert!(solved.plan().is_some());
     let edited = after(&solved, stroke(Tool::Obstacle, &[(1, 1)]));
     assert!(edited.document.answer.is_none(), "it is of another scene");
+}
+
+#[test]
+fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
+    let mut scene = native::read_scene(
+        r#"{ "giveway": 1, "map": ["....."], "agents": [
+        { "name": "A1", "start": [1, 0], "goal": [4, 0] },
+        { "name": "A2", "start": [0, 0], "goal": [3, 0] }] }"#,
+    )
+    .unwrap();
+    scene.constraints = vec![serde_json::from_str(r#"{ "kind": "gap", "steps": 1 }"#).unwrap()];
+    let priced = Board {
+        scene,
+        plan: BoardPlan::Hidden,
+        ..board(1)
+    };
+    let lesson = opened(&sample::solved(), priced);
+    let plan = |second: &str| {
+        let first = "[[1, 0], [2, 0], [3, 0], [4, 0]]";
+        let plan = format!(r#"{{ "giveway": 1, "paths": {{ "A1": {first}, "A2": {second} }} }}"#);
+        native::read_plan(&plan).unwrap()
+    };
+    let without = WithoutRule {
+        rule: 0,
+        plan: plan("[[0, 0], [1, 0], [2, 0], [3, 0]]"),
+        cost: Cost::Makespan,
+        with: 4,
+        without: 3,
+    };
+    let evidence = Evidence {
+        plan: Some(plan("[[0, 0], [0, 0], [1, 0], [2, 0], [3, 0]]")),
+        without: Some(without),
+        ..Evidence::default()
+    };
+    let wide = |is| Action::View(ViewAction::SetWide(is));
+    let shown = say(
+        &after(&lesson, [wide(true)]),
+        ToPage::Show(Box::new(evidence)),
+    );
+    let beside = shown.beside().unwrap();
+    assert!(beside.draft.scene().constraints[0].off);
+    assert_eq!(beside.plan().unwrap().path("A2").len(), 4);
+    assert_eq!(shown.plan().unwrap().path("A2").len(), 5);
+    // A phone has one board: the plan with the rule stays there.
+    let narrow = after(&shown, [wide(false)]);
+    assert!(narrow.beside().is_none());
+    assert_eq!(narrow.plan().unwrap().path("A2").len(), 5);
+    let edited = after(&shown, stroke(Tool::Obstacle, &[(4, 0)]));
+    assert!(edited.beside().is_none());
 }
 
 #[test]
