@@ -262,7 +262,7 @@ fn presents(state: &Shown) -> Option<&'static str> {
 /// A lesson in the style sheets: it may do without the lanes.
 fn lesson_class(state: &Shown) -> Option<&'static str> {
     let lesson = state.lesson()?;
-    Some(if lesson.shows(Layer::Lanes) || state.is_by_hand() {
+    Some(if lesson.shows(Layer::Lanes) || state.is_inside() {
         "in-lesson"
     } else {
         "in-lesson no-lanes"

@@ -1,14 +1,19 @@
 //! The calm plan that is shown in the place of the one that a search found.
 
 use giveway_model::{Costs, Plan, check::check};
+use giveway_planners::budget::Unlimited;
 
 use crate::{
     calm::calm,
+    lns::descend,
     problem::Problem,
     solve::{SolveTask, names, start},
     trace::{FoundBy, SearchEvent},
     walk::{Walk, to_plan},
 };
+
+/// States of single agents to look at before a plan that is not proved is made calm.
+const DESCENT: u64 = 300_000;
 
 /// The calm plan of walks, where the judge passes it; else the plan that was found. A plan
 /// that was handed in stays as it is, and so do all where the request says so.
@@ -25,7 +30,14 @@ pub(crate) fn calmed(
     if task.as_found || start(task).is_some_and(|(start, _)| start.paths == plan.paths) {
         return (plan, costs);
     }
-    let walks = calm(problem, walks, &task.objective, |_| true);
+    let mut walks = walks.to_vec();
+    if !is_proved {
+        // The last plan of a search that was stopped may leave to one agent what it could gain
+        // by itself.
+        let unlimited = Unlimited::default();
+        descend(problem, &mut walks, &task.objective, DESCENT, &unlimited);
+    }
+    let walks = calm(problem, &walks, &task.objective, |_| true);
     let calm = to_plan(problem, &names(task), &walks);
     let report = check(&task.instance, &calm);
     let passes = report.violations.is_empty() && problem.keeps(&walks);

@@ -161,6 +161,12 @@ impl State {
         self.document.mode.is_editing() && !self.is_embedded() && is_wanted
     }
 
+    /// Whether it stays open: a lesson that shows it has nothing else in its place.
+    pub fn keeps_inside(&self) -> bool {
+        let is_alone = |it: &Lesson| it.shows_inside() && !it.shows(Layer::Lanes);
+        self.is_inside() && self.lesson().is_some_and(is_alone)
+    }
+
     /// How many steps there are to go through.
     pub(crate) fn inside_steps(&self) -> usize {
         steps::place(self).map_or(0, |(_, last, _)| last)

@@ -82,7 +82,7 @@ fn show(state: &mut State, on: bool) {
     let is_possible = if on {
         state.can_look_inside()
     } else {
-        state.inside.is_open
+        state.inside.is_open && !state.keeps_inside()
     };
     if !is_possible {
         return;

@@ -220,3 +220,30 @@ fn changes_are_told_by_time() {
     assert!(told.signs.contains(&Sign::Breakdown));
     assert_eq!(told.robots[0].arrives, Some(4));
 }
+
+#[test]
+fn costs_beside_those_before_a_change_say_who_is_left_out() {
+    let (instance, plan) = scene();
+    let changes = |what: &str| {
+        let changes = format!(r#"{{ "giveway": 1, "changes": [{{ "at": 4, {what} }}] }}"#);
+        read_changes(&changes).unwrap()
+    };
+    let told = |what: &str, has_before: bool| {
+        let changes = changes(what);
+        let subject = Subject::new(&instance, &plan, Some(&changes)).unwrap();
+        let known = Known {
+            before: check::check(&instance, &plan).costs.filter(|_| has_before),
+            ..Known::default()
+        };
+        Report::of(&subject, known).html()
+    };
+    let removed = r#""change": "remove-agent", "agent": "A2""#;
+    let without = "Without A2, whose task is not done.";
+    assert!(told(removed, true).contains(without));
+    assert!(
+        !told(removed, false).contains(without),
+        "nothing stands beside"
+    );
+    let obstacle = r#""change": "add-obstacle", "cell": [3, 1]"#;
+    assert!(!told(obstacle, true).contains("Without"));
+}

@@ -23,11 +23,11 @@ use crate::{
     budget::{Budget, CountedBudget, Stop},
     local::{OtherAgents, Reservations, Timetable},
     problem::Problem,
-    walk::Walk,
+    walk::{Walk, arrival},
 };
 use adaptive::Adaptive;
 use neighbourhood::Neighbourhoods;
-use replan::Plan;
+use replan::{Plan, Tie};
 
 /// A search that can be continued; the same calls give the same plans.
 pub struct Lns {
@@ -57,6 +57,29 @@ pub struct Effort {
     pub horizon: u32,
     /// A value of the first cost that is as good as need be.
     pub enough: u32,
+}
+
+/// Plans each agent anew among all others, again and again, until nobody gains by it, or as
+/// many states were looked at as there may be; true where the plan became better. Nobody
+/// arrives later than at the plan's makespan.
+///
+/// The walks are a plan in any case, no worse than before.
+pub fn descend(
+    problem: &Problem,
+    walks: &mut [Walk],
+    objective: &Objective,
+    states: u64,
+    budget: &dyn Budget,
+) -> bool {
+    let counted = CountedBudget::new(budget, states);
+    let horizon = walks.iter().map(|walk| arrival(walk)).max().unwrap_or(0);
+    match Timetable::of(problem, walks) {
+        Some(table) => Plan::new(table, walks, objective, horizon).descend(&counted),
+        None => {
+            let others = Reservations::of(problem, walks);
+            Plan::new(others, walks, objective, horizon).descend(&counted)
+        }
+    }
 }
 
 impl Lns {
@@ -109,7 +132,7 @@ impl Lns {
             };
             counted.count(group.len() as u64);
             counted.spend(group.len() as u64)?;
-            let gain = plan.replan(&group, counted)?;
+            let gain = plan.replan(&group, Tie::New, counted)?;
             self.adaptive.learn(kind, gain);
         }
         Ok(plan.vector() < first)

@@ -61,9 +61,32 @@ impl<'a, O: OtherAgents> Plan<'a, O> {
         self.vector().first().copied().unwrap_or(0)
     }
 
+    /// Plans each agent anew, until nobody gains by it or the budget is spent; true where the
+    /// plan became better.
+    pub(super) fn descend(mut self, budget: &dyn Budget) -> bool {
+        let first = self.vector();
+        loop {
+            let before = self.vector();
+            for agent in 0..self.walks.len() {
+                // Who arrives as early as alone gains nothing.
+                if self.delay(agent) > 0 && self.replan(&[agent], Tie::Before, budget).is_err() {
+                    return self.vector() < first;
+                }
+            }
+            if self.vector() >= before {
+                return before < first;
+            }
+        }
+    }
+
     /// Plans some agents anew, one after the other; keeps what was where the new
     /// is worse. How much the first cost has become less.
-    pub(super) fn replan(&mut self, group: &[AgentId], budget: &dyn Budget) -> Result<u32, Stop> {
+    pub(super) fn replan(
+        &mut self,
+        group: &[AgentId],
+        tie: Tie,
+        budget: &dyn Budget,
+    ) -> Result<u32, Stop> {
         let before = self.vector();
         let old: Vec<(Walk, Costs)> = group
             .iter()
@@ -81,7 +104,7 @@ impl<'a, O: OtherAgents> Plan<'a, O> {
         let planned = self.plan(group, room, budget);
         if let Ok(true) = planned {
             let after = self.vector();
-            if after <= before {
+            if after < before || after == before && tie == Tie::New {
                 let (before, after) = (before.first(), after.first());
                 return Ok(before
                     .zip(after)
@@ -149,6 +172,15 @@ impl<'a, O: OtherAgents> Plan<'a, O> {
         }
         Ok(true)
     }
+}
+
+/// Which of two plans of equal costs is kept.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tie {
+    /// The new one: the search goes on from elsewhere.
+    New,
+    /// The one before.
+    Before,
 }
 
 #[derive(Clone, Copy)]

@@ -2,14 +2,14 @@
 
 use giveway_model::{Cost, Costs, Instance, Objective, check::check};
 
-use super::{Effort, Lns};
+use super::{Effort, Lns, descend};
 use crate::{
     budget::Unlimited,
     first::first_plan,
-    local::apart,
+    local::{OtherAgents, Query, Reservations, apart},
     problem::Problem,
     tests::random,
-    walk::{Walk, to_plan},
+    walk::{Walk, arrival, to_plan},
 };
 
 const EFFORT: Effort = Effort {
@@ -29,7 +29,12 @@ fn judged(instance: &Instance, problem: &Problem, walks: &[Walk]) -> Costs {
 
 /// A first plan of a random instance.
 fn planned(seed: u64) -> Option<(Instance, Problem, Vec<Walk>)> {
-    let instance = random(seed, 2 + seed as usize % 4);
+    planned_for(2 + seed as usize % 4, seed)
+}
+
+/// A first plan of a random instance with so many agents.
+fn planned_for(agents: usize, seed: u64) -> Option<(Instance, Problem, Vec<Walk>)> {
+    let instance = random(seed, agents);
     let budget = Unlimited::default();
     let problem = Problem::new(&instance, &budget).ok()?;
     let apart = apart(&problem, &budget).unwrap();
@@ -93,4 +98,49 @@ fn what_is_good_enough_is_left_alone() {
     let better = Lns::default().improve(&problem, &mut same, effort, &objective, &budget);
     assert!(!better.unwrap());
     assert_eq!(same, walks);
+}
+
+#[test]
+fn after_the_descent_nobody_alone_could_arrive_sooner() {
+    let budget = Unlimited::default();
+    let objective = Objective::new(vec![Cost::SumOfCosts]).unwrap();
+    let (mut plans, mut better) = (0, 0);
+    for seed in 3_000..5_000 {
+        let Some((instance, problem, mut walks)) = planned_for(6, seed) else {
+            continue;
+        };
+        let before = judged(&instance, &problem, &walks).sum_of_costs;
+        let gained = descend(&problem, &mut walks, &objective, u64::MAX, &budget);
+        let after = judged(&instance, &problem, &walks).sum_of_costs;
+        assert_eq!(gained, after < before, "seed {seed}");
+        for (agent, walk) in walks.iter().enumerate() {
+            let mut others = Reservations::of(&problem, &walks);
+            others.remove(agent, walk);
+            let query = Query {
+                agent,
+                latest: EFFORT.horizon,
+                conflict_penalty: None,
+                expansion_limit: 20_000,
+            };
+            let (sooner, _) = others.plan(query, &budget).unwrap().unwrap();
+            assert!(arrival(&sooner) >= arrival(walk), "{agent}, seed {seed}");
+        }
+        plans += 1;
+        better += usize::from(gained);
+    }
+    assert!(plans > 200 && better > 3, "{plans}, {better}");
+}
+
+#[test]
+fn a_descent_within_few_states_leaves_a_plan() {
+    let budget = Unlimited::default();
+    let objective = Objective::new(vec![Cost::SumOfCosts]).unwrap();
+    for seed in 3_000..3_200 {
+        let Some((instance, problem, mut walks)) = planned(seed) else {
+            continue;
+        };
+        let before = judged(&instance, &problem, &walks).sum_of_costs;
+        descend(&problem, &mut walks, &objective, seed % 40, &budget);
+        assert!(judged(&instance, &problem, &walks).sum_of_costs <= before);
+    }
 }

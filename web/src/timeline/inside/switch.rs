@@ -145,7 +145,7 @@ pub(in crate::timeline) fn places(state: &State, send: &Callback<Action>) -> Htm
         || state.document.fresh_answer().is_some()
         || state.awaited().is_some();
     let has_inside = state.is_inside() || (is_solved && state.can_look_inside());
-    if !has_robots && !has_inside {
+    if state.keeps_inside() || (!has_robots && !has_inside) {
         return html! {};
     }
     let mut all = vec![Below::Lanes];

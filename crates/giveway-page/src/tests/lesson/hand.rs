@@ -124,7 +124,7 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
     let narrow = after(&shown, [wide(false)]);
     assert!(narrow.beside().is_none());
     assert_eq!(narrow.plan().unwrap().path("A2").len(), 5);
-    let edited = after(&shown, stroke(Tool::Obstacle, &[(4, 0)]));
+    let edited = after(&shown, stroke(Tool::Obstacle, &[(2, 0)]));
     assert!(edited.beside().is_none());
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use giveway_model::words::grouped;
+use giveway_model::words::{and, grouped};
 use giveway_model::{Cell, Cost, tr};
 
 use super::heading;
@@ -47,6 +47,24 @@ impl Report {
             html.push_str("</tr>\n");
         }
         end(html);
+        if before {
+            self.left_out(html);
+        }
+    }
+
+    /// That the costs are those of the robots that were not removed.
+    fn left_out(&self, html: &mut String) {
+        let gone = self.robots.iter().filter(|row| row.removed.is_some());
+        let gone: Vec<&str> = gone.map(|row| row.name.as_str()).collect();
+        if gone.is_empty() {
+            return;
+        }
+        let text = tr!(
+            "Without {robots}, whose task is not done."
+                | "Without {robots}, whose tasks are not done." % gone.len(),
+            robots = and(&gone)
+        );
+        note(html, &text);
     }
 
     pub(super) fn changes_table(&self, html: &mut String) {
