@@ -112,7 +112,7 @@ describe("search by hand", () => {
       assert.deepEqual(await hand.rows(), [
         ["Nodes", "7", "9"],
         ["Splits", "3", "4"],
-        ["First plan after", "5", "7"],
+        ["Nodes to the first plan", "5", "7"],
         ["Dead ends", "0", "1"],
         ["Sum of costs", "18", "18"],
       ]);

@@ -156,13 +156,20 @@ pub struct Evidence {
     pub without: Option<WithoutRule>,
 }
 
-/// The best plan without a rule, beside the best one with it: what the rule costs.
+/// The best plan without a rule: beside the best one with it, or where no plan keeps the rule.
 #[derive(Clone, Debug, PartialEq, BorshSerialize, BorshDeserialize)]
 pub struct WithoutRule {
     /// The rule, by its number in the scene, from 0.
     pub rule: u32,
     /// The plan without it.
     pub plan: Plan,
+    /// What the rule costs, where there are plans with it.
+    pub price: Option<RulePrice>,
+}
+
+/// What a rule costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
+pub struct RulePrice {
     /// The first cost of the objective.
     pub cost: Cost,
     /// How much of it the best plan with the rule has.
@@ -174,7 +181,10 @@ pub struct WithoutRule {
 impl Evidence {
     /// Whether it shows nothing.
     pub fn is_empty(&self) -> bool {
-        self.plan.is_none() && self.violations.is_empty() && self.time.is_none()
+        self.plan.is_none()
+            && self.without.is_none()
+            && self.violations.is_empty()
+            && self.time.is_none()
     }
 }
 

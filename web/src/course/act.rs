@@ -60,7 +60,7 @@ impl Tutor {
         }
         let is = self.step();
         if is != was {
-            self.handing = None;
+            self.put_away();
             self.order.clear();
             self.typed.clear();
             self.before = None;

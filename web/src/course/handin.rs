@@ -1,9 +1,12 @@
 //! Handing in: the column that makes a file or a link of what was done in a lesson.
 
+use std::rc::Rc;
+
 use giveway_course::handin::{
     Card, CardState, Form, FormAction, FormEffect, HandIn, Subject, cards, summary,
 };
 use giveway_course::learner::{Action, Open};
+use giveway_course::lesson::Picture;
 use giveway_model::tr;
 use gloo::file::Blob;
 use web_sys::HtmlInputElement;
@@ -11,6 +14,8 @@ use yew::prelude::*;
 
 use super::sight::once;
 use super::tutor::{Msg, Tutor};
+use crate::board::{Film, Thumb, ThumbProps};
+use crate::part::part;
 use crate::{copy, files, icon};
 
 /// What happens while a lesson is handed in.
@@ -36,6 +41,15 @@ pub(super) struct Handing {
     refused: String,
 }
 
+impl Handing {
+    /// A form that begins with a name.
+    fn of(name: &str) -> Self {
+        let mut handing = Self::default();
+        name.clone_into(&mut handing.form.name);
+        handing
+    }
+}
+
 /// Whether a lesson can be handed in: it has tasks, and is not one that is being written.
 pub(super) fn can_begin(open: &Open) -> bool {
     !open.is_tried() && open.lesson.steps.iter().any(|step| step.task.is_some())
@@ -46,15 +60,15 @@ impl Tutor {
     pub(super) fn hand(&mut self, ctx: &Context<Self>, msg: HandMsg) {
         match msg {
             HandMsg::Begin => {
-                self.handing = Some(Handing::default());
+                self.handing = Some(Handing::of(&self.hand_name));
                 self.is_new = true;
             }
             HandMsg::End => {
-                self.handing = None;
+                self.put_away();
                 self.is_new = true;
             }
             HandMsg::Go(step) => {
-                self.handing = None;
+                self.put_away();
                 self.is_new = true;
                 self.act(ctx, Action::Go(step));
             }
@@ -64,6 +78,13 @@ impl Tutor {
                     (handing.form.done, handing.refused) = (None, why);
                 }
             }
+        }
+    }
+
+    /// The form is closed; the name is there again in the next one.
+    pub(super) fn put_away(&mut self) {
+        if let Some(handing) = self.handing.take() {
+            self.hand_name = handing.form.name;
         }
     }
 
@@ -175,7 +196,7 @@ fn content() -> Html {
         <section class="in-out" aria-label={tr!("What is in the file")}>
             { list(tr!("In the file"), "check", [
                 tr!("your name and the lesson"),
-                tr!("your first and last answer to each task, and what you changed on the board"),
+                tr!("your first and last answer to each question, and what you last did on the board"),
                 tr!("how often you tried"),
             ]) }
             { list(tr!("Not in it"), "cancel", [
@@ -185,6 +206,16 @@ fn content() -> Html {
             ]) }
         </section>
     }
+}
+
+/// The small board of what was done.
+fn film(card: &Card) -> Option<Rc<Film>> {
+    let shown = card.shown.as_ref()?;
+    Film::of(&Picture {
+        scene: shown.scene.clone(),
+        plan: shown.plan.clone(),
+        time: 0,
+    })
 }
 
 /// A card for a task, which goes to its step.
@@ -198,8 +229,12 @@ fn card(card: &Card, send: &Callback<Msg>) -> Html {
     let onclick = once(send, move || Msg::Hand(HandMsg::Go(step)));
     html! {
         <li><button type="button" class="hand-card" {onclick}>
+            if let Some(film) = film(card) {
+                <span class="thumb2">{ part::<Thumb>(ThumbProps { film, plays: false }) }</span>
+            }
             <b>{ card.number }{ " " }{ card.title.clone() }</b>
             <small {class}>{ icon::show(sign) }{ card.state_words() }</small>
+            if !card.first.is_empty() { <small>{ tr!("First answer: {answer}", answer = card.first) }</small> }
             if !card.answer.is_empty() { <small>{ tr!("Your answer: {answer}", answer = card.answer) }</small> }
         </button></li>
     }

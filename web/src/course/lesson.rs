@@ -12,6 +12,7 @@ use super::exercise;
 use super::handin::{self, HandMsg};
 use super::proof;
 use super::prose::Reader;
+use super::rules;
 use super::shelf::Shelf;
 use super::sight::once;
 use super::third;
@@ -43,6 +44,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                     <h2 tabindex="-1" ref={tutor.title.clone()}>{ step.title.clone() }</h2>
                 </header>
                 <div class="prose">{ reader.paragraphs(&step.text) }</div>
+                { rules::show(open) }
                 { proof::show(open, send) }
                 if let Some(task) = &step.task {
                     { exercise::show(tutor, open, task, reader) }

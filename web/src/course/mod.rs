@@ -28,6 +28,7 @@ mod place;
 mod print;
 mod proof;
 mod prose;
+mod rules;
 mod shelf;
 mod sight;
 mod term;

@@ -87,6 +87,8 @@ pub(super) struct Tutor {
     pub(super) line: Option<Line>,
     /// What is typed while the lesson is handed in.
     pub(super) handing: Option<Handing>,
+    /// The name in the last form, for the next one; it is not kept.
+    pub(super) hand_name: String,
     /// The hand-ins of a class.
     pub(super) class: Option<Collected>,
     /// Hand-ins that came before the course was there.
@@ -131,6 +133,7 @@ impl Component for Tutor {
             asker,
             line: None,
             handing: None,
+            hand_name: String::new(),
             class: None,
             arriving: None,
             sheet: None,

@@ -20,6 +20,8 @@ pub struct Card {
     pub tries: u32,
     /// The last answer in words; empty where there is none.
     pub answer: String,
+    /// The first answer in words; empty where there is none, or it is the last one.
+    pub first: String,
     /// The board and the plan of that answer.
     pub shown: Option<Shown>,
 }
@@ -64,13 +66,16 @@ pub fn cards(hand_in: &HandIn, lesson: &Lesson) -> Vec<Card> {
     let card = |(number, (index, step)): (usize, (usize, &crate::lesson::Step))| {
         let work = hand_in.work(index);
         let answer = work.and_then(|work| work.answer.as_ref());
+        let first = work.and_then(|work| work.first.as_ref());
+        let words = |it| answer_words(it, index, lesson);
         Card {
             number,
             step: index,
             title: step.title.clone(),
             state: CardState::of(work),
             tries: work.map_or(0, |work| work.tries),
-            answer: answer.map_or_else(String::new, |it| answer_words(it, index, lesson)),
+            answer: answer.map_or_else(String::new, words),
+            first: first.map_or_else(String::new, words),
             shown: work.and_then(|work| Shown::of(work, lesson).ok()),
         }
     };

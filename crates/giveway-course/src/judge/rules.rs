@@ -13,7 +13,7 @@ use super::proved::{self, Proved};
 use super::statement::first_better;
 use super::{Why, ask};
 use crate::lesson::Value;
-use crate::port::{Evidence, WithoutRule};
+use crate::port::{Evidence, RulePrice, WithoutRule};
 
 /// A rule's price: the first cost of the best plan without it, and with it.
 pub(super) struct Price {
@@ -57,9 +57,11 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
             without: Some(WithoutRule {
                 rule,
                 plan: plan_without.clone(),
-                cost,
-                with,
-                without,
+                price: Some(RulePrice {
+                    cost,
+                    with,
+                    without,
+                }),
             }),
             ..proved::best_plan(plan)
         },
@@ -96,9 +98,13 @@ pub(super) fn deciding(scene: &Scene, responses: &[Response]) -> Truth {
         }
     }
     let (rule, plan) = found.ok_or(Why::Unclear)?;
-    // The plan is one of the scene without the rule: on the board it breaks it.
+    let without = WithoutRule {
+        rule,
+        plan: plan.clone(),
+        price: None,
+    };
     let evidence = Evidence {
-        plan: Some(plan.clone()),
+        without: Some(without),
         ..Evidence::default()
     };
     Ok((Value::Rule { rule }, evidence))

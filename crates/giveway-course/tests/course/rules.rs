@@ -174,7 +174,8 @@ fn a_price_is_told_with_both_plans() {
     assert!(!dear.is_solved());
     assert_eq!(said(&dear, &step).text.plain(), words);
     let without = dear.evidence.without.unwrap();
-    assert_eq!((without.rule, without.with, without.without), (0, 4, 3));
+    let price = without.price.unwrap();
+    assert_eq!((without.rule, price.with, price.without), (0, 4, 3));
     let last = |plan: &Plan| plan.path("A2").len() - 1;
     assert_eq!(last(&without.plan), 3);
     assert_eq!(last(&dear.evidence.plan.unwrap()), 4);

@@ -163,7 +163,8 @@ impl State {
 
     /// Whether it stays open: a lesson that shows it has nothing else in its place.
     pub fn keeps_inside(&self) -> bool {
-        let is_alone = |it: &Lesson| it.shows_inside() && !it.shows(Layer::Lanes);
+        let is_alone =
+            |it: &Lesson| it.shows_inside() && !it.shows(giveway_course::lesson::Layer::Lanes);
         self.is_inside() && self.lesson().is_some_and(is_alone)
     }
 

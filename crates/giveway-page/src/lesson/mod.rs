@@ -44,9 +44,20 @@ pub struct Lesson {
     /// Whether a search ran on it, which goes on when the lesson ends.
     pub(crate) resumes: bool,
     /// Whether what was hidden is shown.
-    pub(crate) is_revealed: bool,
+    pub(crate) revealed: Revealed,
     /// What was pointed at last, with a number that tells it from the one before.
     pub(crate) pick: Option<(u32, Pick)>,
+}
+
+/// Whether what a lesson hides is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Revealed {
+    /// It is hidden still.
+    No,
+    /// It is shown.
+    Shown,
+    /// A plan is shown that is proved to be the best.
+    Best,
 }
 
 impl Lesson {
@@ -58,7 +69,7 @@ impl Lesson {
             lit: None,
             sealed: Vec::new(),
             own,
-            is_revealed: false,
+            revealed: Revealed::No,
             pick: None,
         }
     }
@@ -102,12 +113,12 @@ impl Lesson {
 
     /// Whether the plan and its timeline are hidden still.
     pub fn hides_plan(&self) -> bool {
-        self.board.plan == BoardPlan::Hidden && !self.is_revealed
+        self.board.plan == BoardPlan::Hidden && self.revealed == Revealed::No
     }
 
     /// Whether broken rules are for the person to find.
     pub fn hides_conflicts(&self) -> bool {
-        self.board.hand == Hand::Points && !self.is_revealed
+        self.board.hand == Hand::Points && self.revealed == Revealed::No
     }
 
     /// Whether a robot is led, by its name.

@@ -1,13 +1,13 @@
 //! What each rule costs, while it is asked for and afterwards.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::check::check;
 use giveway_model::{Plan, tr};
 use giveway_solve::price::{KnownPrices, Price, PriceAnswer, PriceRequest, RulePrice, words};
-use giveway_solve::{Limits, Reach, SolveAnswer, SolveRequest, Status};
+use giveway_solve::{Limits, SolveAnswer, SolveRequest};
 
+use crate::audit::unproved;
 use crate::{Answer, Document, Draft, State, Task};
 
 /// So many plans of scenes before are handed on.
@@ -112,6 +112,8 @@ pub(crate) struct Without {
     pub(crate) rule: usize,
     /// Its plan, of the scene in which the rule is off.
     pub(crate) answer: Rc<Answer>,
+    /// The scene with the rule.
+    of: Rc<Draft>,
 }
 
 /// The best plan without a rule, as far as its price is known.
@@ -119,30 +121,27 @@ pub(crate) fn without(state: &State, rule: usize) -> Option<Without> {
     best_without(state, rule, price(state, rule)?.plan.clone()?)
 }
 
-/// A plan without a rule, to be shown beside the one on the board; `None` where it is not legal
-/// in the scene without the rule.
+/// A plan without a rule, to be shown beside the one on the board, or alone where there is none;
+/// `None` where it is not legal in the scene without the rule.
 pub(crate) fn best_without(state: &State, rule: usize, plan: Plan) -> Option<Without> {
-    let about = state.document.fresh_answer()?;
-    let mut scene = state.document.draft.scene().clone();
+    let of = Rc::clone(&state.document.draft);
+    let mut scene = of.scene().clone();
     scene.constraints.get_mut(rule)?.off = true;
     let draft = Rc::new(Draft::new(scene).ok()?);
     let costs = check(draft.instance().ok()?, &plan).costs?;
     let solved = SolveAnswer {
-        status: Status::Feasible,
         costs: Some(costs),
         plan: Some(plan),
-        bounds: BTreeMap::new(),
-        reach: Reach::default(),
-        reason: None,
-        trace: None,
-        ..about.solved.clone()
+        ..unproved()
     };
+    let about = state.document.fresh_answer();
+    let request = about.map_or_else(SolveRequest::default, |about| (*about.request).clone());
     let request = SolveRequest {
         scene: draft.scene().clone(),
-        ..(*about.request).clone()
+        ..request
     };
     let answer = Rc::new(Answer::new(draft, Rc::new(request), solved));
-    Some(Without { rule, answer })
+    Some(Without { rule, answer, of })
 }
 
 /// Whether it is proved that there is a plan without a rule, and none with it.
@@ -175,10 +174,17 @@ impl State {
         let without = self.view.rules.without.as_ref()?;
         let is_open = self.can_write_rules() && self.document.mode.asking().is_none();
         // A lesson gives the plan itself. Where there is one board, that is of the plan with it.
-        let is_given = self.lesson().is_some() && self.view.is_wide;
-        let is_priced = is_given || self.prices().is_some();
-        let is_known = is_open && is_priced && self.document.fresh_answer().is_some();
-        Some(without).filter(|_| is_known)
+        let has_place = self.view.is_wide || self.document.answer.is_none();
+        let is_same = Rc::ptr_eq(&without.of, &self.document.draft);
+        let is_given = self.lesson().is_some() && is_same && has_place;
+        let is_priced = self.prices().is_some() && self.document.fresh_answer().is_some();
+        Some(without).filter(|_| is_open && (is_given || is_priced))
+    }
+
+    /// The plan without a rule where no plan keeps it: it has the place of the plan.
+    pub(crate) fn plan_in_place(&self) -> Option<&Without> {
+        let without = self.plan_without()?;
+        Some(without).filter(|_| self.document.answer.is_none())
     }
 
     /// Whether it is being found out what the rules cost.

@@ -23,6 +23,8 @@ impl State {
         let is_alone = !self.view.is_wide && !self.hides_answers();
         let without = self.plan_without().map(|without| &without.answer);
         let other = self.farthest().or(without).filter(|_| is_alone);
+        let in_place = self.plan_in_place().map(|without| &without.answer);
+        let other = other.or(in_place);
         let late = self.late_plan();
         let known = self
             .inside_plan()
@@ -86,6 +88,7 @@ impl State {
             _ if mode.asking().is_some() => self.opened(),
             Activity::Editing if self.farthest().is_some() => self.farthest(),
             Activity::Editing if self.open_before().is_some() => self.open_before(),
+            Activity::Editing if self.plan_in_place().is_some() => None,
             Activity::Editing if self.plan_without().is_some() => {
                 self.plan_without().map(|without| &without.answer)
             }

@@ -8,6 +8,7 @@ use giveway_model::tr;
 use yew::prelude::*;
 
 use super::super::prose::{Reader, first_sentence};
+use super::super::sight::once;
 use super::super::tutor::{Msg, Tutor};
 use super::{free, hint, hints, is_answered, is_looking, judge, price, solved};
 use crate::icon;
@@ -94,7 +95,7 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
             </div>
             if !answered {
                 { hints(open.hints(), reader) }
-                <p class="quiet">{ tr!("A wrong guess costs nothing.") }{ " " }
+                <p class="quiet">{ tr!("Guess as often as you like.") }{ " " }
                     if !open.hides_answers() {
                         <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
                     }
@@ -140,6 +141,9 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
             if verdict.is_solved() { <p class="exw">{ icon::show("proved") }<b>{ tr!("a verdict" => "Solved") }</b></p> }
             if is_reply || !shows_right || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
+            if !verdict.is_solved() {
+                <p><button type="button" class="link" onclick={once(reader.send, || Msg::Do(Action::Afresh))}>{ tr!("Guess again") }</button></p>
+            }
         </div>
     }
 }

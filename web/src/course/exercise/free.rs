@@ -54,7 +54,8 @@ pub(super) fn show(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader<'_
         ValueKind::Robot => {
             let one = |(place, agent): (usize, &Agent)| {
                 let value = Value::Robot(agent.name.clone());
-                said(place, value, reader.robot(&agent.name), reader)
+                let words = html! { <span>{ reader.robot(&agent.name) }</span> };
+                said(place, value, words, reader)
             };
             html! { <ul class="opts few">{ for open.scene().agents.iter().enumerate().map(one) }</ul> }
         }

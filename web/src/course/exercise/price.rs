@@ -4,7 +4,7 @@
 use giveway_course::judge::Did;
 use giveway_course::learner::Open;
 use giveway_course::lesson::Value;
-use giveway_course::port::WithoutRule;
+use giveway_course::port::RulePrice;
 use giveway_model::tr;
 use giveway_model::words::name;
 use yew::prelude::*;
@@ -17,8 +17,8 @@ type Point = (&'static str, &'static str, u32);
 /// The line; `None` where the answer is no price.
 pub(super) fn show(open: &Open) -> Option<Html> {
     let verdict = open.judge().verdict()?;
-    let price = verdict.evidence.without.as_ref()?;
-    let points = points(price, guessed(open));
+    let price = verdict.evidence.without.as_ref()?.price?;
+    let points = points(&price, guessed(open));
     let point = |(class, word, cost): Point| html! { <li {class}><small>{ word }</small><b>{ cost }</b></li> };
     let text = match price.with.saturating_sub(price.without) {
         0 => tr!("The rule costs nothing.").to_owned(),
@@ -43,7 +43,7 @@ fn guessed(open: &Open) -> Option<u32> {
 }
 
 /// The points, the least first; a right guess is the proved one.
-fn points(price: &WithoutRule, guess: Option<u32>) -> Vec<Point> {
+fn points(price: &RulePrice, guess: Option<u32>) -> Vec<Point> {
     let mut points = vec![
         ("from", tr!("a cost" => "without the rule"), price.without),
         ("right", tr!("an answer" => "proved"), price.with),

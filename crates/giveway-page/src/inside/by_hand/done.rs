@@ -109,7 +109,7 @@ fn rows(state: &State, own: Tally, planner: Option<Tally>) -> Vec<TallyRow> {
     vec![
         row(tr!("of a tree" => "Nodes"), |tally| Some(tally.nodes)),
         row(tr!("of a tree" => "Splits"), |tally| Some(tally.splits)),
-        row(tr!("First plan after"), |tally| tally.first_plan),
+        row(tr!("Nodes to the first plan"), |tally| tally.first_plan),
         row(tr!("Dead ends"), |tally| Some(tally.dead_ends)),
         row(&capital(name(cost)), |tally| tally.cost.map(u64::from)),
     ]

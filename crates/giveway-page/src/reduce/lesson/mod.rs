@@ -11,7 +11,7 @@ use giveway_model::Fault;
 
 use super::document::{amend, undo};
 use super::{inside, play, solve, steer, step, stroke};
-use crate::lesson::{Lesson, LessonAction, document, evidence};
+use crate::lesson::{Lesson, LessonAction, Revealed, document, evidence};
 use crate::present::Presenting;
 use crate::rules::RuleAction;
 use crate::steering::Lead;
@@ -211,7 +211,12 @@ fn tour(state: &mut State, deed: Deed) {
 
 /// What shows that something is so.
 fn show(state: &mut State, found: &Evidence) {
-    change(state, |lesson| lesson.is_revealed = true);
+    let revealed = if found.proved {
+        Revealed::Best
+    } else {
+        Revealed::Shown
+    };
+    change(state, |lesson| lesson.revealed = revealed);
     if let Some(lesson) = state.lesson.clone() {
         state.view.layers.trails = lesson.shows(Layer::Trails);
         state.view.table = lesson.shows(Layer::Table);

@@ -140,7 +140,7 @@ fn a_plan_is_found_and_proved_later() {
         [
             ["Nodes", "7", "9"],
             ["Splits", "3", "4"],
-            ["First plan after", "5", "7"],
+            ["Nodes to the first plan", "5", "7"],
             ["Dead ends", "0", "1"],
             ["Sum of costs", "18", "18"],
         ]

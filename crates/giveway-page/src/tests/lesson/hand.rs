@@ -2,7 +2,7 @@
 
 use giveway_course::lesson::Layer;
 use giveway_course::port::{
-    BoardNumber, BoardPlan, Evidence, Hand, Happened, Lit, Pick, ToPage, WithoutRule,
+    BoardNumber, BoardPlan, Evidence, Hand, Happened, Lit, Pick, RulePrice, ToPage, WithoutRule,
 };
 use giveway_model::Cost;
 use giveway_model::format::native;
@@ -102,13 +102,16 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
     let without = WithoutRule {
         rule: 0,
         plan: plan("[[0, 0], [1, 0], [2, 0], [3, 0]]"),
-        cost: Cost::Makespan,
-        with: 4,
-        without: 3,
+        price: Some(RulePrice {
+            cost: Cost::Makespan,
+            with: 4,
+            without: 3,
+        }),
     };
     let evidence = Evidence {
         plan: Some(plan("[[0, 0], [0, 0], [1, 0], [2, 0], [3, 0]]")),
-        without: Some(without),
+        without: Some(without.clone()),
+        proved: true,
         ..Evidence::default()
     };
     let wide = |is| Action::View(ViewAction::SetWide(is));
@@ -120,12 +123,35 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
     assert!(beside.draft.scene().constraints[0].off);
     assert_eq!(beside.plan().unwrap().path("A2").len(), 4);
     assert_eq!(shown.plan().unwrap().path("A2").len(), 5);
+    assert_eq!(
+        saying(&shown),
+        "The best plan: makespan 4, sum of costs 7, 0 charges."
+    );
     // A phone has one board: the plan with the rule stays there.
     let narrow = after(&shown, [wide(false)]);
     assert!(narrow.beside().is_none());
     assert_eq!(narrow.plan().unwrap().path("A2").len(), 5);
     let edited = after(&shown, stroke(Tool::Obstacle, &[(2, 0)]));
     assert!(edited.beside().is_none());
+
+    // Where no plan keeps the rule, the one without it is shown alone.
+    let alone = Evidence {
+        without: Some(WithoutRule {
+            price: None,
+            ..without
+        }),
+        ..Evidence::default()
+    };
+    for is_wide in [true, false] {
+        let lesson = after(&lesson, [wide(is_wide)]);
+        let shown = say(&lesson, ToPage::Show(Box::new(alone.clone())));
+        assert!(shown.beside().is_none() && shown.document.mode.audit().is_none());
+        assert_eq!(shown.plan().unwrap().path("A2").len(), 4);
+        let words = "Without the rule there is a plan: makespan 3, sum of costs 6, 0 charges.";
+        assert_eq!(saying(&shown), words);
+        let edited = after(&shown, stroke(Tool::Obstacle, &[(2, 0)]));
+        assert!(edited.plan().is_none());
+    }
 }
 
 #[test]

@@ -140,7 +140,10 @@ pub fn standing(state: &State) -> Standing {
             let count = u8::try_from(comparing.tried.len()).unwrap_or(u8::MAX);
             say(Badge::Compared(count), change::compared(comparing))
         }
-        Activity::Steering(own) => say(Badge::Steering, steering::steering(own)),
+        Activity::Steering(own) => say(
+            Badge::Steering,
+            steering::steering(own, state.lesson().is_none()),
+        ),
         Activity::Auditing(audit) => say(audit::badge(audit), audit::sentence(audit)),
         Activity::Editing => {
             let mut standing = resting(state);

@@ -9,7 +9,7 @@ use giveway_solve::words::{headline, reason};
 
 use super::{Badge, Standing};
 use crate::front::Front;
-use crate::lesson::Lesson;
+use crate::lesson::{Lesson, Revealed};
 use crate::words::change;
 use crate::words::costs::values;
 use crate::{Activity, Answer, State, planners, rules};
@@ -116,6 +116,10 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
     if let Activity::Changing(changing) = &state.document.mode.activity {
         return say(change::happening(changing));
     }
+    if let Some(without) = state.plan_in_place() {
+        let costs = costs(&without.answer);
+        return say(tr!("Without the rule there is a plan: {costs}.", costs));
+    }
     let answer = state.document.fresh_answer();
     let answer = answer.filter(|answer| answer.is_shared && state.audit().is_none())?;
     if answer.course.is_some() {
@@ -123,6 +127,12 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
     }
     let objective = &answer.draft.scene().objective;
     let costs = values(objective, &answer.solved.costs?);
+    if lesson.revealed == Revealed::Best {
+        return Some(Standing::new(
+            Badge::Proved,
+            tr!("The best plan: {costs}.", costs),
+        ));
+    }
     say(tr!("A plan: {costs}.", costs))
 }
 
