@@ -187,5 +187,15 @@ describe("search by hand", () => {
     await hand.column.getByRole("button", { name: "Back to the lesson" }).click();
     await lesson.getByTitle("Key 2", { exact: true }).click();
     await lesson.getByText("Solved").first().waitFor();
+
+    // The planner's tree has the place of one's own, and nothing else has: no tab leads away from both.
+    await page.getByRole("group", { name: "Who splits" }).getByRole("button", { name: "Planner" }).click();
+    await hand.shows("How it was proved");
+    await hand.has(9);
+    assert.ok(await hand.tree.isVisible());
+    assert.equal(await page.getByRole("tab", { name: "Timeline" }).count(), 0);
+    await page.getByRole("group", { name: "Who splits" }).getByRole("button", { name: "By hand" }).click();
+    await hand.shows("Tree");
+    await hand.has(7);
   }, { screens: BOTH });
 });

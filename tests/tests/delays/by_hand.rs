@@ -98,8 +98,8 @@ fn a_ledger_by_hand() {
     assert_eq!(
         answer.words,
         "3 steps are lost: alone the robots need 4 in all, here 7. Whether any of this can be \
-         saved is open. A1 arrives at 4 and loses 2, because of A2 on its best way alone. A2 \
-         arrives at 3 and loses 1, because of A1 on its best way alone. Most is lost from (1, 0) to (2, 0): 3 steps (A1 2 and A2 1)."
+         saved is open. A1 arrives at 4 and loses 2: in the way that it would take alone there is A2. A2 \
+         arrives at 3 and loses 1: in the way that it would take alone there is A1. Most is lost from (1, 0) to (2, 0): 3 steps (A1 2 and A2 1)."
     );
     let answer = ask(DelaysRequest {
         scene: instance.to_scene(),

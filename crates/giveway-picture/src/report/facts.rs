@@ -51,12 +51,14 @@ pub(super) fn facts(subject: &Subject<'_>) -> Vec<String> {
 pub(super) fn conventions(subject: &Subject<'_>) -> Vec<String> {
     let mut told = vec![
         tr!(
-            "A cell is told as column, row, both from 0 at the top left; a time in steps from the start at 0."
+            "A cell is written as its column, then its row, both counted from 0 at the top left; a time in steps from the start, which is 0."
         )
         .to_owned(),
     ];
     if subject.grid().cells().any(|(_, ground)| ground.is_slow()) {
-        told.push(tr!("A move within a slow zone takes 2 steps.").to_owned());
+        told.push(
+            tr!("A move within a slow zone takes 2 steps, and counts as one move.").to_owned(),
+        );
     }
     told
 }

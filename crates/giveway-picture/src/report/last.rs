@@ -31,6 +31,7 @@ pub(super) fn told(subject: &Subject<'_>, rows: &[RobotRow], known: &Known) -> V
     )];
     for (robot, row) in last.into_iter().take(MOST_ROBOTS) {
         told.extend(alone(row, known));
+        told.extend(charges(subject, robot));
         told.extend(waits(subject, robot));
     }
     told
@@ -56,6 +57,25 @@ fn alone(row: &RobotRow, known: &Known) -> Vec<String> {
             lone.why.clone(),
         ],
     }
+}
+
+/// Where the robot charges without a stay.
+fn charges(subject: &Subject<'_>, robot: &Robot) -> Vec<String> {
+    let name = &robot.agent.name;
+    let way = subject.way(robot);
+    let stays = stays(&way);
+    let times = subject.plan.charges(name).iter();
+    let passing = times.filter(|&&time| !stays.iter().any(|it| (it.from..it.to).contains(&time)));
+    let told = passing.filter_map(|&time| {
+        let (_, cell) = way.iter().find(|(at, _)| *at == time)?;
+        Some(tr!(
+            "{name} drives by the charger at {cell}, at {time}.",
+            name,
+            cell,
+            time
+        ))
+    });
+    told.collect()
 }
 
 /// A time that a robot stays in a cell on its way.

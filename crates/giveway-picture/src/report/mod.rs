@@ -120,6 +120,8 @@ pub struct Report {
     pub robots: Vec<RobotRow>,
     /// The busiest cells, the first one first.
     pub busiest: Vec<BusyCell>,
+    /// Where robots wait longest, and how many steps: the longest first.
+    pub waited: Vec<(Cell, u32)>,
     /// The map as SVG, in black and white.
     pub map: String,
     /// What the signs of the map mean.
@@ -243,6 +245,7 @@ impl Report {
         known.link = known.link.filter(|link| link.len() <= LONGEST_LINK);
         let robots = robots::rows(subject, &known);
         let busiest = busy::busiest(subject);
+        let waited = busy::waited(subject);
         let (map, signs) = map::map(subject, &robots, &busiest);
         Self {
             title: facts::title(subject),
@@ -257,6 +260,7 @@ impl Report {
             units: subject.units(),
             robots,
             busiest,
+            waited,
             map,
             signs,
             known,

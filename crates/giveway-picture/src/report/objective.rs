@@ -1,7 +1,7 @@
 //! Which costs count, in their order, and what is proved of them.
 
-use giveway_model::words::{and, grouped};
-use giveway_model::{Cost, tr};
+use giveway_model::words::grouped;
+use giveway_model::{Cost, Costs, tr};
 
 use super::{Known, Proved, Subject};
 
@@ -30,16 +30,74 @@ pub(super) fn told(subject: &Subject<'_>, known: &Known) -> Vec<String> {
     match (known.proved, costs) {
         (_, []) => Vec::new(),
         (Proved::OfAll | Proved::OfThese, _) => costs.iter().enumerate().map(least).collect(),
-        (Proved::No, [only]) => vec![tr!("What counts is {cost}.", cost = name(*only))],
-        (Proved::No, [first, rest @ ..]) => {
-            let rest: Vec<&str> = rest.iter().map(|&cost| name(cost)).collect();
-            vec![tr!(
-                "What counts first is {cost}, then {others}.",
-                cost = name(*first),
-                others = and(&rest)
-            )]
+        (Proved::No, _) => open(&plan, costs, known),
+    }
+}
+
+/// The costs of a plan of which not all is proved: a sentence for each of which something is
+/// known, then the rest.
+fn open(plan: &Costs, costs: &[Cost], known: &Known) -> Vec<String> {
+    // That nothing costs less than nothing need not be said.
+    let says = |&&(of, least): &&(Cost, u32)| least > 0 || plan.get(of) == 0;
+    let bound = |cost: Cost| {
+        let mut bounds = known.bounds.iter().filter(says);
+        bounds.find(|(of, _)| *of == cost)
+    };
+    let bounded = costs.iter().take_while(|cost| bound(**cost).is_some());
+    let mut told = Vec::new();
+    for (index, &cost) in bounded.enumerate() {
+        let (n, least) = (plan.get(cost), bound(cost).map_or(0, |&(_, least)| least));
+        let is_least = n == least;
+        let (n, least, cost) = (grouped(n.into()), grouped(least.into()), name(cost));
+        told.push(match (index, is_least) {
+            (0, true) => tr!(
+                "What counts first is {cost}: {n} is proved to be the least.",
+                cost,
+                n
+            ),
+            (0, false) => tr!(
+                "What counts first is {cost}: {n}, where less than {least} is proved impossible.",
+                cost,
+                n,
+                least
+            ),
+            (_, true) => tr!(
+                "Then {cost}: {n} is proved to be the least with that.",
+                cost,
+                n
+            ),
+            (_, false) => tr!(
+                "Then {cost}: {n}, where less than {least} is proved impossible.",
+                cost,
+                n,
+                least
+            ),
+        });
+        if !is_least {
+            break;
         }
     }
+    let rest: Vec<&str> = costs
+        .iter()
+        .skip(told.len())
+        .map(|&cost| name(cost))
+        .collect();
+    match (told.is_empty(), rest.as_slice()) {
+        (_, []) => {}
+        (true, [only]) => told.push(tr!("What counts is {cost}.", cost = only)),
+        (true, [first, others @ ..]) => told.push(tr!(
+            "What counts first is {cost}, then {others}.",
+            cost = first,
+            others = in_order(others)
+        )),
+        (false, others) => told.push(tr!("Then {others}.", others = in_order(others))),
+    }
+    told
+}
+
+/// Costs that count one after the other.
+fn in_order(costs: &[&str]) -> String {
+    costs.join(tr!("between costs that count in this order" => ", then "))
 }
 
 /// What a cost is called within a sentence.

@@ -43,14 +43,14 @@ pub fn row(row: &AgentDelay) -> String {
             delay
         ),
         [one] => tr!(
-            "{agent} arrives at {arrival} and loses {delay}, because of {cause} on its best way alone.",
+            "{agent} arrives at {arrival} and loses {delay}: in the way that it would take alone there is {cause}.",
             agent,
             arrival,
             delay,
             cause = cause(&one.cause)
         ),
         [first, ..] => tr!(
-            "{agent} arrives at {arrival} and loses {delay}, because of {causes} on its best way alone: {steps} each.",
+            "{agent} arrives at {arrival} and loses {delay}: in the way that it would take alone there are {causes}, for {steps} each.",
             agent,
             arrival,
             delay,

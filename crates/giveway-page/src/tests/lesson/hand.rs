@@ -9,6 +9,7 @@ use giveway_model::format::native;
 
 use super::{Board, at, board, heard, opened, say, scene, swapping, told};
 use crate::audit::bursts_of;
+use crate::inside::{HandAction, InsideAction};
 use crate::reduce::tests::{after, stroke};
 use crate::steering::Lead;
 use crate::tests::{answered, saying, seek, select};
@@ -269,3 +270,34 @@ fn a_phone_shows_the_lesson_first() {
     let lesson = opened(&sample::solved(), board(5));
     assert_eq!(lesson.view.tab, Tab::Inspector);
 }
+
+#[test]
+fn a_lesson_by_hand_keeps_its_tree() {
+    let by_hand = Board {
+        plan: BoardPlan::Hidden,
+        show: vec![Layer::ByHand],
+        ..board(5)
+    };
+    let lesson = opened(&sample::solved(), by_hand);
+    assert!(lesson.is_by_hand() && lesson.keeps_inside());
+    let left = after(&lesson, [Action::Inside(InsideAction::Show(false))]);
+    assert!(left.is_by_hand(), "nothing else has its place");
+    let planner = InsideAction::Hand(HandAction::Show(false));
+    let planner = after(&left, [Action::Inside(planner)]);
+    assert!(planner.is_inside() && !planner.is_by_hand());
+    // With lanes there is something to go back to, once they are shown.
+    let both = Board {
+        plan: BoardPlan::Given(native::read_plan(AROUND).unwrap()),
+        show: vec![Layer::Inside, Layer::Lanes],
+        ..board(6)
+    };
+    let show = |is| Action::Inside(InsideAction::Show(is));
+    let inside = after(&opened(&lesson, both), [show(true)]);
+    assert!(inside.is_inside());
+    assert!(!after(&inside, [show(false)]).is_inside());
+}
+
+/// A1 lets A2 pass in the bay.
+const AROUND: &str = r#"{ "giveway": 1, "paths": {
+    "A1": [[0, 0], [1, 0], [1, 1], [1, 0], [2, 0], [3, 0]],
+    "A2": [[3, 0], [2, 0], [1, 0], [0, 0]] } }"#;

@@ -10,6 +10,9 @@ use giveway_model::tr;
 use super::{Proved, Question, Report, Sign};
 use crate::xml::Escaped;
 
+/// A link of so many letters is short enough to be typed.
+const TYPED: usize = 120;
+
 /// How the report looks, on a screen and on paper.
 const STYLE: &str = include_str!("../report.css");
 
@@ -91,13 +94,18 @@ impl Report {
         html.push_str("</ul>\n");
     }
 
-    /// The address that opens the plan, as text: it can be read from paper, too.
+    /// The address that opens the plan: as text where it is short enough to be typed from paper.
     fn link(&self, html: &mut String) {
         if let Some(link) = &self.known.link {
-            let link = Escaped(link);
+            let text = if link.chars().count() <= TYPED {
+                link
+            } else {
+                tr!("open it")
+            };
+            let (link, text) = (Escaped(link), Escaped(text));
             let _ = writeln!(
                 html,
-                "<p class=\"report-link\">{} <a href=\"{link}\">{link}</a></p>",
+                "<p class=\"report-link\">{} <a href=\"{link}\">{text}</a></p>",
                 Escaped(tr!("This plan on the page:"))
             );
         }

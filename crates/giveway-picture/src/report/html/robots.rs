@@ -79,11 +79,11 @@ impl Report {
         if alone {
             let text = if self.changes.is_empty() {
                 tr!(
-                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there. Because of: who or what is in its way then, each for an equal part of the delay."
+                    "Alone: the earliest that the robot could arrive, by way of its waypoints, if no other robot were there; it charges only where it must. Because of: which robots, or rules among them, are in the way that it would take then. They share the delay evenly, and need not be those for which it waits in this plan."
                 )
             } else {
                 tr!(
-                    "Alone: when the robot would arrive, with its waypoints and charges, if no other robot were there from the last change on. Because of: who or what is in its way then, each for an equal part of the delay."
+                    "Alone: the earliest that the robot could arrive, by way of its waypoints, if no other robot were there from the last change on; it charges only where it must. Because of: which robots, or rules among them, are in the way that it would take then. They share the delay evenly, and need not be those for which it waits in this plan."
                 )
             };
             note(html, text);

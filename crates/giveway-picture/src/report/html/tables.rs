@@ -155,6 +155,16 @@ impl Report {
             html.push_str("</tr>\n");
         }
         end(html);
+        let waited = |&(Cell { x, y }, n): &(Cell, u32)| {
+            tr!("{x}, {y} ({n} step)" | "{x}, {y} ({n} steps)" % n, x, y)
+        };
+        let cells: Vec<String> = self.waited.iter().map(waited).collect();
+        if !cells.is_empty() {
+            note(
+                html,
+                &tr!("Robots wait longest at {cells}.", cells = and(&cells)),
+            );
+        }
     }
 }
 
