@@ -259,6 +259,7 @@ pub fn title(state: &State) -> String {
     }
     match mode.audit() {
         Some(audit) => dropped(&audit.plan),
+        None if state.plan_without().is_some() => tr!("With the rule").to_owned(),
         None => tr!("This plan").to_owned(),
     }
 }

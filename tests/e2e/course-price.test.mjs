@@ -1,0 +1,63 @@
+// What a rule costs, in lessons: guessed, shown on a line and by both plans, guessed again.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+
+import { audit } from "./audit.mjs";
+import { Course } from "./course.mjs";
+import { BOTH, flows } from "./flow.mjs";
+
+/** Opens a step of a lesson. */
+async function opens(playground, step, title) {
+  const course = new Course(playground);
+  await playground.page.evaluate((step) => { location.hash = `lesson=${step}`; }, step);
+  await course.at(title);
+  return course;
+}
+
+/** Types a number as the guess. */
+async function guesses(course, number) {
+  await course.lesson.getByRole("textbox").fill(`${number}`);
+  await course.lesson.getByRole("button", { name: "Say it" }).click();
+}
+
+describe("the price of a rule in a lesson", () => {
+  const flow = flows();
+
+  flow("stands on a line between the best plans without it and with it", async (playground, { page, screen }) => {
+    const course = await opens(playground, "rules-of-the-road.2", "What does a limit cost?");
+    await course.says(/Rule 1 At most 1 robot in 'Zone 1'/);
+    await guesses(course, 1);
+    await course.says(/The rule costs 2\./);
+    const line = course.lesson.getByRole("figure");
+    const points = (await line.getByRole("listitem").allInnerTexts()).map((text) => text.replaceAll(/\s+/g, " ").trim());
+    assert.deepEqual(points, ["without the rule 8", "your guess 9", "proved 10"]);
+    await playground.says(/^The best plan: makespan 10\b/);
+    const other = page.getByText("Without the rule", { exact: true });
+    if (screen === "phone") {
+      // A phone has one board: that of the plan with the rule.
+      assert.equal(await other.count(), 0);
+    } else {
+      await other.waitFor();
+      await page.getByText("With the rule", { exact: true }).waitFor();
+    }
+    await audit(playground, "a price");
+    await playground.picture("price");
+
+    // A right guess is the proved one.
+    await course.lesson.getByRole("button", { name: "Guess again" }).click();
+    await guesses(course, 2);
+    await course.solved();
+    assert.equal(await line.getByRole("listitem").count(), 2);
+    assert.equal(await course.lesson.getByRole("button", { name: "Guess again" }).count(), 0);
+  }, { screens: BOTH });
+
+  flow("is shown by the plan without it where no plan keeps it", async (playground) => {
+    const course = await opens(playground, "pick-then-drop.3", "Three rules, no plan");
+    await course.lesson.getByRole("button", { name: "A1 arrives by 9" }).click();
+    await course.says(/The order asks for the opposite/);
+    await playground.says(/^Without the rule there is a plan: makespan \d+\b/);
+    await audit(playground, "the plan without a rule");
+    await playground.picture("without-a-rule");
+  }, { screens: BOTH });
+});
