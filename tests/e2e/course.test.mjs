@@ -63,7 +63,7 @@ describe("the course", () => {
     await course.says(/Type a whole number, such as 12\./);
     await field.fill("1");
     await page.keyboard.press("Enter");
-    await course.says(/\b1 ?your guess 2 ?proved A1 waits 2 steps until A2 is out/);
+    await course.says(/your guess 9 ?proved 10 ?The rule costs 2\. ?A1 waits 2 steps until A2 is out/);
     await playground.picture("course-price");
 
     await page.evaluate(() => { location.hash = "lesson=pick-then-drop.3"; });

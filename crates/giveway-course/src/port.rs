@@ -179,12 +179,14 @@ pub struct RulePrice {
 }
 
 impl Evidence {
+    /// Whether it shows a plan.
+    pub const fn has_plan(&self) -> bool {
+        self.plan.is_some() || self.without.is_some()
+    }
+
     /// Whether it shows nothing.
     pub fn is_empty(&self) -> bool {
-        self.plan.is_none()
-            && self.without.is_none()
-            && self.violations.is_empty()
-            && self.time.is_none()
+        !self.has_plan() && self.violations.is_empty() && self.time.is_none()
     }
 }
 

@@ -11,7 +11,7 @@ use giveway_solve::delays::{
     AgentDelay,
     words::{passes, row},
 };
-use giveway_solve::words::{on_paper, reason};
+use giveway_solve::words::{on_paper, reach_of_bounds, reason};
 
 use crate::files::Saved;
 use crate::words::change::method;
@@ -88,15 +88,17 @@ fn known(state: &State, answer: &Answer) -> Known {
     };
     let bounds = |(&cost, &least): (&Cost, &u32)| (cost, least);
     let steps = answer.course.as_ref().map_or(&[][..], |it| &it.steps);
+    let remarks = [solved.reason.as_ref().map(reason), reach_of_bounds(solved)];
     Known {
         claim,
         proved: match (is_proved, is_own) {
+            (false, true) if reach_of_bounds(solved).is_none() => Proved::Bounded,
             (false, _) => Proved::No,
             (true, true) => Proved::within(solved.reach.within()),
             // Of the plans from a time on.
             (true, false) => Proved::OfThese,
         },
-        remarks: solved.reason.as_ref().map(reason).into_iter().collect(),
+        remarks: remarks.into_iter().flatten().collect(),
         bounds: solved.bounds.iter().map(bounds).collect(),
         before: steps.first().and_then(|step| step.before),
         methods: steps
@@ -172,10 +174,11 @@ mod tests {
                 ..Imprint::default()
             };
             let html = report(&state, imprint).unwrap().html();
-            html.matches(&address).count()
+            (html.matches(&address).count(), html.contains("open it"))
         };
-        assert_eq!(link(100), 2, "its address and its text");
-        assert_eq!(link(2000), 0);
+        assert_eq!(link(90), (2, false), "its address and its text");
+        assert_eq!(link(1000), (1, true), "nobody would type it");
+        assert_eq!(link(2000), (0, false));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use giveway_solve::delays::{
     AgentDelay, DelaysRequest,
     words::{passes, row},
 };
-use giveway_solve::words::{proved, reason};
+use giveway_solve::words::{on_paper, proved, reach_of_bounds, reason};
 use giveway_solve::{
     CheckRequest, Limits, Refusal, Request, Response, SolveAnswer, SolveRequest, serve,
 };
@@ -245,15 +245,22 @@ impl Asker<'_> {
 
 /// What a search says of its plan.
 fn of_solved(answer: &SolveAnswer) -> Known {
-    let (claim, is_proved) = giveway_solve::words::on_paper(answer);
+    let (claim, is_proved) = on_paper(answer);
+    let reach = reach_of_bounds(answer);
     Known {
         claim,
-        proved: if is_proved {
-            Proved::within(answer.reach.within())
-        } else {
-            Proved::No
+        proved: match reach {
+            _ if is_proved => Proved::within(answer.reach.within()),
+            None => Proved::Bounded,
+            Some(_) => Proved::No,
         },
-        remarks: answer.reason.as_ref().map(reason).into_iter().collect(),
+        remarks: answer
+            .reason
+            .as_ref()
+            .map(reason)
+            .into_iter()
+            .chain(reach)
+            .collect(),
         bounds: bounds(&answer.bounds),
         ..Known::default()
     }

@@ -100,7 +100,7 @@ impl Learner {
         }
         // What was predicted is shown at once, right or not.
         if matches!(verdict.why, Why::Guessed { .. } | Why::Revealed(_))
-            && verdict.evidence.plan.is_some()
+            && verdict.evidence.has_plan()
         {
             let evidence = Box::new(verdict.evidence.clone());
             effects.push(Effect::Page(ToPage::Show(evidence)));

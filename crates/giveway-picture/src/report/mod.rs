@@ -53,6 +53,8 @@ pub enum Proved {
     /// It is not.
     #[default]
     No,
+    /// It is not, but the bounds hold for all plans.
+    Bounded,
     /// Among all plans.
     OfAll,
     /// Among those that the claim names: up to a makespan, or from a time on.

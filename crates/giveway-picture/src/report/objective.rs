@@ -30,17 +30,18 @@ pub(super) fn told(subject: &Subject<'_>, known: &Known) -> Vec<String> {
     match (known.proved, costs) {
         (_, []) => Vec::new(),
         (Proved::OfAll | Proved::OfThese, _) => costs.iter().enumerate().map(least).collect(),
-        (Proved::No, _) => open(&plan, costs, known),
+        (Proved::Bounded, _) => open(&plan, costs, &known.bounds),
+        (Proved::No, _) => open(&plan, costs, &[]),
     }
 }
 
 /// The costs of a plan of which not all is proved: a sentence for each of which something is
 /// known, then the rest.
-fn open(plan: &Costs, costs: &[Cost], known: &Known) -> Vec<String> {
+fn open(plan: &Costs, costs: &[Cost], bounds: &[(Cost, u32)]) -> Vec<String> {
     // That nothing costs less than nothing need not be said.
     let says = |&&(of, least): &&(Cost, u32)| least > 0 || plan.get(of) == 0;
     let bound = |cost: Cost| {
-        let mut bounds = known.bounds.iter().filter(says);
+        let mut bounds = bounds.iter().filter(says);
         bounds.find(|(of, _)| *of == cost)
     };
     let bounded = costs.iter().take_while(|cost| bound(**cost).is_some());

@@ -7,7 +7,7 @@ use giveway_model::change::Changes;
 use giveway_model::format::native::{read_changes, read_instance, read_plan};
 use giveway_model::{Cell, Cost, Instance, Plan, check};
 
-use super::{Known, Report, Sign, Subject};
+use super::{Known, Proved, Report, Sign, Subject};
 
 /// Two robots with a battery, a charger, a slow cell and an obstacle; the first one waits once.
 fn scene() -> (Instance, Plan) {
@@ -253,6 +253,7 @@ fn what_is_proved_of_the_costs_is_said_cost_by_cost() {
     let told = |bounds: &[(Cost, u32)]| {
         let known = Known {
             bounds: bounds.to_vec(),
+            proved: Proved::Bounded,
             ..Known::default()
         };
         report(known).objective.join(" ")
@@ -273,6 +274,12 @@ fn what_is_proved_of_the_costs_is_said_cost_by_cost() {
         "What counts first is the last arrival: 6 is proved to be the least. Then the sum of costs: \
          10 is proved to be the least with that. Then the number of charges."
     );
+    // Bounds that hold for some plans only are not said of all.
+    let of_some = Known {
+        bounds: vec![(last, 6)],
+        ..Known::default()
+    };
+    assert_eq!(report(of_some).objective.join(" "), told(&[]));
     assert_eq!(
         told(&[]),
         "What counts first is the last arrival, then the sum of costs, then the number of charges."

@@ -72,7 +72,7 @@ pub(super) fn evidence(evidence: &Evidence, send: &Callback<Msg>) -> Html {
     if evidence.is_empty() {
         return html! {};
     }
-    let word = if evidence.plan.is_some() || evidence.without.is_some() {
+    let word = if evidence.has_plan() {
         tr!("Show me the plan")
     } else {
         tr!("Show me where")

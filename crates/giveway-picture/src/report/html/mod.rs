@@ -55,7 +55,7 @@ impl Report {
         html.push_str("</div></header>\n");
         let class = match known.proved {
             Proved::OfAll | Proved::OfThese => "claim proved",
-            Proved::No => "claim",
+            Proved::No | Proved::Bounded => "claim",
         };
         let _ = write!(
             html,
