@@ -3,6 +3,7 @@
 
 mod aside;
 mod changes;
+mod evidence;
 mod hand;
 mod tour;
 
