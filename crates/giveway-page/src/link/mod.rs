@@ -26,7 +26,9 @@ mod tests;
 
 use std::fmt::Write as _;
 
-use giveway_model::format::link::{message, plan, repair, scene, seal, text};
+use giveway_model::format::link::{
+    lesson as link_lesson, message, plan, repair, scene, seal, text,
+};
 use giveway_model::{Question, tr_data};
 use giveway_solve::Status;
 
@@ -134,7 +136,7 @@ pub fn is_link(text: &str) -> bool {
 
 /// The lesson that a text names as a link does, `lesson=room-to-pass.2`.
 pub fn lesson(text: &str) -> Option<String> {
-    repair::lesson(text)
+    link_lesson::named(text)
 }
 
 /// What happens when a link is opened.

@@ -7,6 +7,7 @@
 //! ```
 
 pub mod arrival;
+pub mod lesson;
 pub mod message;
 pub mod plan;
 pub mod repair;

@@ -136,31 +136,6 @@ fn has_check(text: &str) -> bool {
     text.split("check=").skip(1).any(is_check)
 }
 
-/// What is handed in of a lesson begins with this, with its equals sign.
-const HAND_IN: &str = "hand-in=";
-
-/// The name or the letters of a lesson in a text that names one, `lesson=...`, in whatever
-/// form; what a sentence puts behind them is left out. What is handed in of a lesson keeps its
-/// `hand-in=`.
-///
-/// ```
-/// use giveway_model::format::link::repair::lesson;
-/// assert_eq!(lesson("lesson%3Droom-to-pass.2)."), Some("room-to-pass.2".to_owned()));
-/// assert_eq!(lesson("hand-in=~Xy_-9."), Some("hand-in=~Xy_-9".to_owned()));
-/// assert_eq!(lesson("giveway=1"), None);
-/// ```
-pub fn lesson(text: &str) -> Option<String> {
-    let mut readings = readings(text).into_iter().map(|text| decoded(&text));
-    let found = readings.find_map(|text| {
-        let name = text.strip_prefix("lesson=").map(str::to_owned);
-        name.or_else(|| text.starts_with(HAND_IN).then_some(text))
-    })?;
-    let end = found.find(['&', '?', ' ']).unwrap_or(found.len());
-    let name = found.get(..end).unwrap_or_default();
-    let is_behind = |letter: char| !letter.is_ascii_alphanumeric() && !"-_~".contains(letter);
-    Some(name.trim_end_matches(is_behind).to_owned())
-}
-
 /// Lines as one text: breaks with the blanks and quotation marks around them go, and so do
 /// all blanks where `all` is set; blanks inside a line are those of a name.
 fn joined(text: &str, all: bool) -> String {
@@ -191,7 +166,7 @@ fn ampersands(text: &str) -> String {
 }
 
 /// A text with all its `%XX` decoded; those that are none stay.
-fn decoded(text: &str) -> String {
+pub(super) fn decoded(text: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = text;
     while let Some((before, after)) = rest.split_once('%') {
