@@ -8,8 +8,8 @@ const WIDTH: usize = 72;
 /// A space where a line begins or ends within a text.
 const SPACE: &str = "\\u0020";
 
-/// The text of a file, in ASCII and lines of at most 72 characters. A text that is longer
-/// goes on in the next line, which is no JSON any more before [`super::read()`] joins it.
+/// The text of a file, in ASCII and lines of at most 72 characters. It is JSON, but for a text
+/// that is longer than a line: that goes on in the next one until [`super::read()`] joins it.
 /// Ends with a line break.
 pub fn write(hand_in: &HandIn) -> String {
     // Names and numbers always have a JSON form.
@@ -66,17 +66,22 @@ impl Lines {
     }
 }
 
-/// JSON without blanks, in units: outside of texts whole words and numbers with the sign
-/// behind them, within texts each character.
+/// JSON without blanks, in units: texts as far as they have room in a line, else each of their
+/// characters; whole words and numbers with the sign behind them.
 fn units(dense: &str) -> Vec<Unit> {
     let mut units: Vec<Unit> = Vec::new();
     let mut word = String::new();
+    // Where the text begins that is read.
+    let mut begins = 0;
     let (mut is_within, mut is_escaped, mut depth) = (false, false, 0_usize);
     for c in dense.chars() {
         if !is_within {
             word.push(c);
             match c {
-                '"' => is_within = true,
+                '"' => {
+                    is_within = true;
+                    begins = units.len();
+                }
                 '{' | '[' => depth += 1,
                 '}' | ']' => depth = depth.saturating_sub(1),
                 ',' | ':' => {}
@@ -113,8 +118,24 @@ fn units(dense: &str) -> Vec<Unit> {
             is_within: true,
             ends_line: false,
         });
+        if is_end {
+            join(&mut units, begins);
+        }
     }
     units
+}
+
+/// Joins the units of a text that has room in a line.
+fn join(units: &mut Vec<Unit>, begins: usize) {
+    let length: usize = units.iter().skip(begins).map(|unit| unit.text.len()).sum();
+    if length <= WIDTH - SPACE.len() {
+        let text = units.drain(begins..).map(|unit| unit.text).collect();
+        units.push(Unit {
+            text,
+            is_within: false,
+            ends_line: false,
+        });
+    }
 }
 
 /// A character as JSON has it in ASCII.

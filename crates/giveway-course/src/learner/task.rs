@@ -89,8 +89,23 @@ impl Learner {
         }
     }
 
+    /// What a verdict makes of an answer. A robot that is led on after a rule was broken makes no
+    /// other try.
+    fn judged(&self, verdict: &Verdict) -> Judged {
+        let is_broken = |verdict: &Verdict| matches!(verdict.why, Why::Broken(_));
+        let before = self.open.as_ref().and_then(|open| open.judge.verdict());
+        let is_led = self
+            .open
+            .as_ref()
+            .is_some_and(|open| matches!(open.did, Did::Led(_)));
+        if is_led && is_broken(verdict) && before.is_some_and(is_broken) {
+            return Judged::Part;
+        }
+        Judged::by(verdict)
+    }
+
     fn settle(&mut self, mut verdict: Box<Verdict>, effects: &mut Vec<Effect>) {
-        let judged = Judged::by(&verdict);
+        let judged = self.judged(&verdict);
         self.keep_work(judged);
         let Some(open) = &mut self.open else {
             return;

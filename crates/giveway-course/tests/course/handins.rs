@@ -7,7 +7,7 @@ use giveway_course::judge::Did;
 use giveway_course::learner::{Action, Effect, Learner, Progress, reduce};
 use giveway_course::lesson::{Id, Lesson, Task, Value, translated};
 use giveway_course::port::{BoardNumber, FromPage, Happened, ToPage};
-use giveway_model::Scene;
+use giveway_model::{Cell, Scene};
 use giveway_solve::{SilentHost, serve};
 
 use super::schema::with_definition;
@@ -385,4 +385,54 @@ fn faults_say_where_and_what() {
     assert_eq!(two.found, "a second hand-in");
     let pdf = read("%PDF-1.4 nothing").unwrap_err();
     assert!(pdf.to_string().contains("a hand-in"), "{pdf}");
+}
+
+#[test]
+fn who_leads_a_robot_on_after_a_rule_was_broken_makes_no_other_try() {
+    let name = "rules-of-the-road";
+    let lesson = Rc::new(shipped::lesson(name));
+    let mut student = Student::new();
+    student.opens(name, &lesson, 2);
+    let planned = lesson.steps[2].plan.clone().unwrap();
+    let way = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (2, 3)];
+    let led = |steps: usize| {
+        let mut plan = planned.clone();
+        let path = way.iter().take(steps).map(|&(x, y)| Some(Cell::new(x, y)));
+        plan.paths.insert("A1".to_owned(), path.collect());
+        Happened::Led(Box::new(plan))
+    };
+    let tries = |student: &Student| {
+        let id: Id = name.parse().unwrap();
+        let made = hand_in(&student.learner.progress, &id, &lesson, "");
+        made.tasks.first().map(|work| (work.tries, work.solved))
+    };
+    // It enters the zone while A2 is in it, and drives on.
+    for steps in 2..=6 {
+        student.says(led(steps));
+    }
+    assert_eq!(tries(&student), Some((1, false)));
+    // Taken back, and into the zone again.
+    for steps in [3, 4, 5] {
+        student.says(led(steps));
+    }
+    assert_eq!(tries(&student), Some((2, false)));
+}
+
+#[test]
+fn a_file_is_json_where_its_texts_have_room_in_a_line() {
+    let name = "room-to-pass";
+    let lesson = shipped::lesson(name);
+    let id: Id = name.parse().unwrap();
+    let made = hand_in(&Progress::default(), &id, &lesson, "Ada Lovelace");
+    let text = write(&made);
+    assert!(text.lines().all(|line| line.len() <= 72), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["name"], "Ada Lovelace");
+    // A longer text goes on in the next line, and is read all the same.
+    let long = HandIn {
+        name: Some("\u{e9}".repeat(60)),
+        ..made
+    };
+    assert!(serde_json::from_str::<serde_json::Value>(&write(&long)).is_err());
+    assert_eq!(read(&write(&long)).unwrap(), long);
 }

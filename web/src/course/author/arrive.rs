@@ -2,10 +2,12 @@
 
 use std::rc::Rc;
 
+use giveway_course::grade::Came;
 use giveway_course::lesson::{Glossary, Lesson, link, read_lesson};
 use giveway_model::Fault;
 use yew::prelude::*;
 
+use super::super::class::ClassMsg;
 use super::super::tutor::Tutor;
 use super::AuthorMsg;
 
@@ -31,6 +33,11 @@ impl Tutor {
             self.author.arriving = Some(address);
             return;
         };
+        if self.is_class_open() && !address.starts_with(link::MARK) && address != WRITE {
+            // Hand-ins are judged against it.
+            let came = Came::file(String::new(), 0.0, address);
+            return self.collect(ctx, ClassMsg::Came(vec![came]));
+        }
         if self.author.is_open && !address.starts_with(link::MARK) {
             // Whoever writes a lesson goes on with that of the file; there is a way back.
             return self.author(ctx, AuthorMsg::File(address));

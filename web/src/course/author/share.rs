@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use giveway_course::author::Draft;
 use giveway_course::lesson::{Lesson, link, write_lesson};
-use giveway_model::format::link::{plan, scene};
+use giveway_model::format::link::{plan, scene, seal};
 use giveway_model::{Fault, tr};
 use gloo::file::Blob;
 use yew::prelude::*;
@@ -88,7 +88,7 @@ pub(super) fn show_on_page(draft: &Draft) -> bool {
         text += &written;
     }
     let location = gloo::utils::window().location();
-    location.set_hash(&text).is_ok()
+    location.set_hash(&seal::write(&text)).is_ok()
 }
 
 /// A lesson that came and cannot be opened. Each has a number, and a dialog of its own.

@@ -94,6 +94,13 @@ impl Tutor {
         }
     }
 
+    /// Whether the table of a class is shown.
+    pub(in crate::course) fn is_class_open(&self) -> bool {
+        self.class
+            .as_ref()
+            .is_some_and(|it| it.shows == Shows::Table)
+    }
+
     fn of_class(&mut self, change: impl FnOnce(&mut Collected)) {
         if let Some(it) = &mut self.class {
             it.version = it.version.wrapping_add(1);

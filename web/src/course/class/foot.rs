@@ -56,6 +56,12 @@ impl Collected {
         shares.iter().map(|share| share.undecided).sum()
     }
 
+    /// Those of the lesson whose table is shown.
+    fn false_claims(&self) -> usize {
+        let shares = self.class.shares(self.looking.lesson);
+        shares.iter().map(|share| share.false_claims).sum()
+    }
+
     /// How far the judging is, and what became of the table.
     fn standing(&self, done: usize, all: usize, is_judging: bool) -> String {
         if is_judging {
@@ -72,7 +78,7 @@ impl Collected {
         if self.class.is_cancelled() {
             return tr!("Stopped: {done} of {all} judged.", done, all);
         }
-        match (self.class.false_claims(), self.undecided()) {
+        match (self.false_claims(), self.undecided()) {
             (0, 0) => tr!("All judged.").to_owned(),
             (0, n) => tr!("{n} task is not decided." | "{n} tasks are not decided." % n),
             (n, _) => tr!("{n} task is said to be solved, and is not."
