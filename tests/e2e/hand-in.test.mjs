@@ -4,9 +4,24 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe } from "node:test";
 
+import { SCENE } from "./author.mjs";
 import { Course } from "./course.mjs";
 import { BOTH, flows } from "./flow.mjs";
 import { eventually } from "./wait.mjs";
+
+/** A lesson of one's own, of one task. */
+const RING = {
+  giveway: 1,
+  title: "A ring",
+  minutes: 4,
+  about: "Two robots go around.",
+  steps: [
+    {
+      title: "Guess", text: ["A sentence."], scene: SCENE, hints: ["Count."], reason: "Both go around.",
+      task: { kind: "predict", say: "How long do they need?", what: { is: "cost", cost: "makespan" } },
+    },
+  ],
+};
 
 /** Follows a link of the page. */
 const follow = (page, hash) => page.evaluate((hash) => { location.hash = hash; }, hash);
@@ -134,6 +149,7 @@ describe("the hand-ins of a class", () => {
     await work.getByRole("heading", { name: "Cyd" }).waitFor();
     await work.getByRole("button", { name: "Class" }).click();
     await table.waitFor();
+    await eventually("the focus on the cell that was looked at", () => page.evaluate(() => document.activeElement?.getAttribute("data-at")), (at) => at === "1.0");
     await table.getByRole("button", { name: /^not solved, 1 try/ }).focus();
     await page.keyboard.press("ArrowDown");
     await eventually("the focus one row below", () => page.evaluate(() => document.activeElement?.getAttribute("data-at")), (at) => at === "2.0");
@@ -148,4 +164,29 @@ describe("the hand-ins of a class", () => {
     await table.getByRole("button", { name: "Forget them" }).click();
     await page.getByRole("dialog", { name: "Hand-ins of a class" }).waitFor();
   }, { screens: BOTH });
+
+  flow("of a lesson of one's own are judged once it is dropped, too", async (playground, { page, host }) => {
+    const course = new Course(playground);
+    await drop(page, [["ring.json", JSON.stringify(RING)]]);
+    await course.at("Guess");
+    await course.lesson.getByRole("textbox").fill("99");
+    await course.lesson.getByRole("button", { name: "Say it" }).click();
+    await course.says(/99 your guess \d+ proved/);
+    await course.lesson.getByRole("button", { name: "Hand in" }).click();
+    await course.lesson.getByLabel("Your name, as your lecturer knows you").fill("Ada");
+    const file = await saved(page, () => course.lesson.getByRole("button", { name: "Save file" }).click());
+    assert.equal(JSON.parse(file.text).name, "Ada", "a program can read it, too");
+
+    // On the lecturer's machine, which does not have the lesson yet.
+    await page.evaluate(() => localStorage.clear());
+    await page.goto("about:blank");
+    await playground.goto(host.url);
+    await drop(page, [[file.name, file.text]]);
+    const table = page.getByRole("dialog", { name: /hand-in/i });
+    await table.getByText(/give that lesson, too/).waitFor();
+    await drop(page, [["ring.json", JSON.stringify(RING)]]);
+    await table.getByRole("row", { name: /^Ada/ }).waitFor();
+    await table.getByRole("button", { name: "not solved, 1 try" }).waitFor();
+    assert.equal(await course.lesson.count(), 0, "the lesson itself is not opened");
+  });
 });

@@ -66,7 +66,7 @@ fn show(state: &Shown, draft: &Rc<Draft>, layer: Layer, hatch: &'static str) -> 
         return Html::default();
     }
     let props = RulesProps {
-        now: rules_now(state),
+        now: rules_now(state, draft),
         draft: Rc::clone(draft),
         lit: state.lit_rule().cloned(),
         kept: if layer == Layer::Tabs {

@@ -128,17 +128,41 @@ fn part(lesson: &Lesson, index: usize, step: &Step) -> Html {
                     alt={tr!("The board of this step")} />
             }
             { for step.text.iter().map(paragraph) }
-            if let Some(plan) = &step.plan { { times(plan) } }
+            { rules(step) }
+            if let Some(plan) = plan_on_paper(step) { { times(&plan) } }
             if let Some(task) = &step.task { { exercise(task) } }
         </section>
     }
+}
+
+/// The plan of a step; who leads a robot finds its way.
+fn plan_on_paper(step: &Step) -> Option<Plan> {
+    let mut plan = step.plan.clone()?;
+    if let Some(Task::Lead(task)) = &step.task {
+        plan.paths.retain(|name, _| !task.robots.contains(name));
+    }
+    Some(plan)
+}
+
+/// The rules of a new board.
+fn rules(step: &Step) -> Html {
+    let Some(scene) = &step.scene else {
+        return Html::default();
+    };
+    let rules = scene.constraints.iter().enumerate();
+    let rules = rules.filter(|(place, rule)| rule.in_force(*place, &scene.agents).is_some());
+    let row = |(place, rule): (usize, &giveway_model::Constraint)| {
+        let number = tr!("Rule {n}", n = place + 1);
+        html! { <p><b>{ number }</b>{ format!(": {}", rule.sentence()) }</p> }
+    };
+    html! { <>{ for rules.map(row) }</> }
 }
 
 fn board(lesson: &Lesson, index: usize, step: &Step) -> Option<String> {
     let is_new = step.scene.is_some() || step.plan.is_some();
     let scene = lesson.scene(index).filter(|_| is_new)?;
     let instance = Instance::new(scene.clone()).ok()?;
-    let plan = step.plan.clone().unwrap_or_default();
+    let plan = plan_on_paper(step).unwrap_or_default();
     let look = Look::fitting(instance.grid(), LONGEST_PX);
     Some(on_paper(&instance, &plan, f64::from(step.time), &look))
 }

@@ -15,7 +15,7 @@ pub fn zone_at(state: &State, point: Point, detail: Detail) -> Option<String> {
     if draft.scene().zones.is_empty() {
         return None;
     }
-    let shapes = rule_shapes(draft, &rules_now(state), state.lit_rule());
+    let shapes = rule_shapes(draft, &rules_now(state, draft), state.lit_rule());
     // As the style sheet enlarges them.
     let scale = match detail {
         Detail::All => 1.0,
@@ -69,7 +69,7 @@ mod tests {
     /// A point some units right of where the tab begins, and below.
     fn beside(x: f64, y: f64) -> Point {
         let state = state();
-        let shapes = rule_shapes(state.world(), &rules_now(&state), None);
+        let shapes = rule_shapes(state.world(), &rules_now(&state, state.world()), None);
         let tab = shapes.zones[0].tab;
         Point {
             x: (tab.0 + x) / CELL - 0.5,

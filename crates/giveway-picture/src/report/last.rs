@@ -69,7 +69,7 @@ fn charges(subject: &Subject<'_>, robot: &Robot) -> Vec<String> {
     let told = passing.filter_map(|&time| {
         let (_, cell) = way.iter().find(|(at, _)| *at == time)?;
         Some(tr!(
-            "{name} drives by the charger at {cell}, at {time}.",
+            "{name} charges as it passes {cell}, at {time}.",
             name,
             cell,
             time

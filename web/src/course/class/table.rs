@@ -4,7 +4,8 @@ use giveway_course::grade::{
     Came, Chosen, Claim, Given, Graded, Judgement, LookAction, Order, Row,
 };
 use giveway_model::tr;
-use web_sys::{ClipboardEvent, wasm_bindgen::JsCast as _};
+use web_sys::wasm_bindgen::JsCast;
+use web_sys::{ClipboardEvent, Element, HtmlElement};
 use yew::prelude::*;
 
 use super::{ClassMsg, Collected, keys, side};
@@ -35,6 +36,18 @@ pub(in crate::course) fn ClassTable(props: &ClassProps) -> Html {
         send.emit(Msg::Class(ClassMsg::Close));
     });
     use_modal(&node, &close);
+    {
+        // Back from a student's work, one goes on from the cell.
+        let node = node.clone();
+        use_effect_with((), move |()| {
+            let dialog = node.cast::<Element>();
+            let cell = dialog.and_then(|dialog| dialog.query_selector(".cl.sel button").ok()?);
+            if let Some(Ok(cell)) = cell.map(JsCast::dyn_into::<HtmlElement>) {
+                // It fails only where the browser lets nothing be focused.
+                let _ = cell.focus();
+            }
+        });
+    }
     let beside = {
         let (node, close) = (node.clone(), close.clone());
         move |event: MouseEvent| {

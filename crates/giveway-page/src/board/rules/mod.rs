@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod tests;
 
+use std::rc::Rc;
+
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Cell, Constraint};
 pub use giveway_picture::{
@@ -15,14 +17,22 @@ use crate::steering::Steering;
 use crate::{Draft, State};
 
 /// What of the rules is so at the time shown.
-pub fn rules_now(state: &State) -> RulesNow {
-    let (scene, time) = (state.world().scene(), state.view.playback.time);
+pub fn rules_now(state: &State, draft: &Rc<Draft>) -> RulesNow {
+    let time = state.view.playback.time;
+    let holds = in_force(&draft.scene().constraints, time);
+    if !Rc::ptr_eq(draft, state.world()) {
+        // What is broken, and where robots stay, is told of the plan on the other board.
+        return RulesNow {
+            holds,
+            ..RulesNow::default()
+        };
+    }
     let broken = crate::rules::broken(state).filter(|violation| Steering::is_now(violation, time));
     let broken = broken.filter_map(|violation| Some(violation.broken.as_ref()?.index as usize));
     let mut broken: Vec<usize> = broken.collect();
     broken.extend(crate::rules::in_clash(state));
     RulesNow {
-        holds: in_force(&scene.constraints, time),
+        holds,
         broken,
         stays: stays(state, time),
     }

@@ -37,10 +37,17 @@ fn asked() -> State {
 
 #[test]
 fn rules_that_leave_no_plan_are_red_at_their_signs() {
-    assert!(rules_now(&stuck()).broken.is_empty(), "nobody asked why");
+    assert!(
+        rules_now(&stuck(), stuck().world()).broken.is_empty(),
+        "nobody asked why"
+    );
     let state = asked();
-    assert_eq!(rules_now(&state).broken, [1, 2]);
-    let shapes = rule_shapes(&state.document.draft, &rules_now(&state), None);
+    assert_eq!(rules_now(&state, state.world()).broken, [1, 2]);
+    let shapes = rule_shapes(
+        &state.document.draft,
+        &rules_now(&state, state.world()),
+        None,
+    );
     assert!(shapes.zones[0].is_broken);
     let tags: Vec<(&str, bool)> = shapes
         .tags
@@ -132,7 +139,7 @@ fn a_short_way_goes_over_the_waypoints_in_the_order_of_a_rule() {
 #[test]
 fn they_stay_marked_when_the_question_is_left_and_go_with_the_clash() {
     let left = after(&asked(), [Action::Ask(AskAction::Close)]);
-    assert_eq!(rules_now(&left).broken, [1, 2]);
+    assert_eq!(rules_now(&left, left.world()).broken, [1, 2]);
     let told: Vec<Option<String>> = list(&left)
         .unwrap()
         .rows
@@ -142,10 +149,13 @@ fn they_stay_marked_when_the_question_is_left_and_go_with_the_clash() {
     let part = Some("part of why there is no plan".to_owned());
     assert_eq!(told, [None, part.clone(), part, None]);
     let off = after(&left, [act(RuleAction::Switch(1))]);
-    assert!(rules_now(&off).broken.is_empty(), "another scene");
+    assert!(
+        rules_now(&off, off.world()).broken.is_empty(),
+        "another scene"
+    );
     assert!(clash_times(&off).is_none());
     let back = after(&off, [Action::Undo]);
-    assert_eq!(rules_now(&back).broken, [1, 2]);
+    assert_eq!(rules_now(&back, back.world()).broken, [1, 2]);
 }
 
 #[test]

@@ -27,9 +27,12 @@ fn a_plan_that_breaks_a_newer_rule_is_red_on_the_spot() {
         "{broken}"
     );
     // The first time at which it is broken is shown, with the zone and the spot in red.
-    assert_eq!(rules_now(&state).broken, [1]);
+    assert_eq!(rules_now(&state, state.world()).broken, [1]);
     let start = after(&state, [crate::tests::seek(0)]);
-    assert!(rules_now(&start).broken.is_empty(), "not at other times");
+    assert!(
+        rules_now(&start, start.world()).broken.is_empty(),
+        "not at other times"
+    );
 }
 
 #[test]
@@ -75,7 +78,7 @@ fn what_is_kept_is_not_red() {
     assert!(!anew.document.is_stale());
     assert_eq!(list(&anew).unwrap().rows[1].broken, None);
     let back = after(&state, [Action::Undo]);
-    assert!(reasons(&back).bursts.is_empty() && rules_now(&back).broken.is_empty());
+    assert!(reasons(&back).bursts.is_empty() && rules_now(&back, back.world()).broken.is_empty());
     // Off, it forbids nothing.
     let off = after(&state, [act(RuleAction::Switch(1))]);
     assert_eq!(list(&off).unwrap().rows[1].broken, None);

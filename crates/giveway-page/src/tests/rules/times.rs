@@ -83,7 +83,7 @@ fn a_zone_is_lit_everywhere_while_its_tab_is_looked_at() {
     let lit = |state: &State| {
         let shapes = crate::board::rule_shapes(
             &state.document.draft,
-            &crate::board::rules_now(state),
+            &crate::board::rules_now(state, state.world()),
             state.lit_rule(),
         );
         let row = times_row(state, 8).unwrap();
@@ -121,7 +121,7 @@ fn a_step_by_hand_against_a_rule_is_marked() {
     let led = after(&state, actions);
     let own = led.document.mode.steering().unwrap();
     assert_eq!(own.cell(), giveway_model::Cell::new(6, 0));
-    let now = crate::board::rules_now(&led);
+    let now = crate::board::rules_now(&led, led.world());
     assert_eq!(now.broken, [0]);
     let row = times_row(&led, led.last_time()).unwrap();
     assert_eq!(row.lines[0][0].broken, [5]);

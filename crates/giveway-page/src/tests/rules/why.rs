@@ -99,6 +99,10 @@ fn the_plan_without_a_rule_stands_beside() {
     assert!(beside.draft.scene().constraints[1].off);
     let costs = |answer: &crate::Answer| answer.solved.costs.unwrap().makespan;
     assert_eq!((costs(both.shown().unwrap()), costs(beside)), (10, 8));
+    // Each board shows the rules of its own scene.
+    let holds = |draft| crate::board::rules_now(&both, draft).holds;
+    assert_eq!(holds(both.world()), [true, true]);
+    assert_eq!(holds(&beside.draft), [true, false]);
     assert!(list(&both).unwrap().rows[1].is_beside);
     assert_eq!(crate::beside::other_title(&both), "Without the rule");
     // It goes when the scene changes, and by the same button.

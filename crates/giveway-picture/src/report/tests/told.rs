@@ -88,7 +88,7 @@ fn where_robots_wait_longest_is_told_and_where_the_last_one_charges() {
     let subject = Subject::new(&alone, &plan, None).unwrap();
     let last = Report::of(&subject, Known::default()).last;
     assert!(
-        last.contains(&"A1 drives by the charger at (1, 0), at 1.".to_owned()),
+        last.contains(&"A1 charges as it passes (1, 0), at 1.".to_owned()),
         "{last:?}"
     );
 }
