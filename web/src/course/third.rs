@@ -22,8 +22,10 @@ pub(super) fn show(open: &Open, step: &Step, reader: Reader<'_>) -> Html {
     let judged = verdict.map(|verdict| {
         let said = said(verdict, step);
         let reason = step.reason.as_ref().filter(|_| verdict.is_solved());
+        // What the judge says goes on behind its head.
+        let sign = if reason.is_some() { ". " } else { ": " };
         let words = Text::opening(&[reason.cloned().unwrap_or(said.text)], SENTENCES);
-        html! { <p><b>{ format!("{}. ", said.head) }</b>{ reader.still(words.spans()) }</p> }
+        html! { <p><b>{ format!("{}{sign}", said.head) }</b>{ reader.still(words.spans()) }</p> }
     });
     html! {
         <section class="third" aria-live="polite">
