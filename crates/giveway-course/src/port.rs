@@ -153,7 +153,7 @@ pub struct Evidence {
     /// Whether no plan is better than this one, as it is proved.
     pub proved: bool,
     /// What it would be without a rule.
-    pub without: Option<WithoutRule>,
+    pub without: Option<Box<WithoutRule>>,
 }
 
 /// The best plan without a rule: beside the best one with it, or where no plan keeps the rule.

@@ -54,7 +54,7 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
         // With one rule more, the first cost of the best plan is never less.
         steps: with.saturating_sub(without),
         evidence: Evidence {
-            without: Some(WithoutRule {
+            without: Some(Box::new(WithoutRule {
                 rule,
                 plan: plan_without.clone(),
                 price: Some(RulePrice {
@@ -62,7 +62,7 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
                     with,
                     without,
                 }),
-            }),
+            })),
             ..proved::best_plan(plan)
         },
     })
@@ -104,7 +104,7 @@ pub(super) fn deciding(scene: &Scene, responses: &[Response]) -> Truth {
         price: None,
     };
     let evidence = Evidence {
-        without: Some(without),
+        without: Some(Box::new(without)),
         ..Evidence::default()
     };
     Ok((Value::Rule { rule }, evidence))

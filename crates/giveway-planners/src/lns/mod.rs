@@ -76,8 +76,7 @@ pub fn descend(
     match Timetable::of(problem, walks) {
         Some(table) => Plan::new(table, walks, objective, horizon).descend(&counted),
         None => {
-            let others = Reservations::of(problem, walks);
-            Plan::new(others, walks, objective, horizon).descend(&counted)
+            Plan::new(Reservations::of(problem, walks), walks, objective, horizon).descend(&counted)
         }
     }
 }

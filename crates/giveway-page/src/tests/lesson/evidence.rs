@@ -86,7 +86,7 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
     };
     let evidence = Evidence {
         plan: Some(plan("[[0, 0], [0, 0], [1, 0], [2, 0], [3, 0]]")),
-        without: Some(without.clone()),
+        without: Some(Box::new(without.clone())),
         proved: true,
         ..Evidence::default()
     };
@@ -112,10 +112,10 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
 
     // Where no plan keeps the rule, the one without it is shown alone.
     let alone = Evidence {
-        without: Some(WithoutRule {
+        without: Some(Box::new(WithoutRule {
             price: None,
             ..without
-        }),
+        })),
         ..Evidence::default()
     };
     for is_wide in [true, false] {
