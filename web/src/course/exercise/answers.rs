@@ -95,11 +95,12 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
             </div>
             if !answered {
                 { hints(open.hints(), reader) }
-                <p class="quiet">{ tr!("Guess as often as you like.") }{ " " }
-                    if !open.hides_answers() {
+                if !open.hides_answers() {
+                    <p class="quiet">
+                        { tr!("Guess as often as you like.") }{ " " }
                         <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
-                    }
-                </p>
+                    </p>
+                }
                 <div class="exa">{ hint(open, reader.send) }</div>
             }
         </section>
