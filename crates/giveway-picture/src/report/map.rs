@@ -29,8 +29,14 @@ pub(super) fn map(
     let ground = ground(&mut svg, grid);
     marks::marks(&mut svg, robots);
     for busy in busiest {
-        let is_taken = is_taken(busy.cell, robots) || grid.is_charger(busy.cell);
-        letter(&mut svg, busy, is_taken);
+        let place = if is_taken(busy.cell, robots) {
+            Place::Corner
+        } else if grid.is_charger(busy.cell) {
+            Place::Right
+        } else {
+            Place::Middle
+        };
+        letter(&mut svg, busy, place);
     }
     let broken = breakdowns(subject);
     for &cell in &broken {
@@ -167,8 +173,19 @@ fn numbers(svg: &mut String, (width, height): (u32, u32), rim: f64) {
     }
 }
 
-/// The letter of a busy cell; in the corner where something else stands there.
-fn letter(svg: &mut String, busy: &BusyCell, is_taken: bool) {
+/// Where the letter of a busy cell stands.
+#[derive(Clone, Copy)]
+enum Place {
+    /// In the middle.
+    Middle,
+    /// On the right of a charger's bolt.
+    Right,
+    /// In the corner, beside a start or a goal.
+    Corner,
+}
+
+/// The letter of a busy cell.
+fn letter(svg: &mut String, busy: &BusyCell, place: Place) {
     let Cell { x, y } = busy.cell;
     push(
         svg,
@@ -178,11 +195,12 @@ fn letter(svg: &mut String, busy: &BusyCell, is_taken: bool) {
             100 * y + 6
         ),
     );
-    let (at, size) = if is_taken {
-        ((100 * x + 24, 100 * y + 34), 40)
-    } else {
-        ((100 * x + 50, 100 * y + 70), 60)
+    let ((right, down), size) = match place {
+        Place::Middle => ((50, 70), 60),
+        Place::Right => ((64, 80), 56),
+        Place::Corner => ((24, 34), 40),
     };
+    let at = (100 * x + right, 100 * y + down);
     push(
         svg,
         format_args!(
