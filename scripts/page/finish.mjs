@@ -2,8 +2,8 @@
 //
 // 1. The programs, the scripts and the style sheets get the hashes of what they hold into their paths: so no cache can
 //    mix two versions.
-// 2. The style sheets become one, in their order, those of the course another, and that of presenting a third: fewer
-//    requests and bytes before the first paint.
+// 2. The style sheets become few: those that a first visit needs before and behind those that come later, in whose place
+//    the page puts a link, so that their order stays. Fewer requests and bytes before the first paint.
 // 3. The page's scripts lose their comments and indentation, and the page is told how large its Wasm is.
 // 4. The page's head gets the address where it is published, if that is set in Cargo.toml.
 // 5. The catalogues of languages lose what only translators read.
@@ -32,8 +32,11 @@ const LATER_SCRIPTS = ["present.js"];
 const ON_DEMAND = /^static\/(maps|languages)\//;
 /** What only translators read in a catalogue. */
 const REMARKS = /^(#.*)?\n/gm;
-/** The style sheets that come later: those of the course when it is opened, those of presenting and of a search by hand when that begins. */
+/** The style sheets of views that no first visit begins with: they come with the later part of the page's program. */
+const VIEWS = /^(audit|change|freedom|inside|ledger|order|sizing|steer)\.css$/;
+/** The style sheets that come later: those views, those of the course when it is opened, those of presenting and of a search by hand when that begins. */
 const LATER_STYLES = [
+  ["later-style", VIEWS],
   ["course-style", /^(author|class|course|lesson|print|tour)\.css$/],
   ["present-style", /^present\.css$/],
   ["hand-style", /^by-hand\.css$/],
@@ -107,16 +110,20 @@ function refuseWhatThePolicyRefuses(page) {
   }
 }
 
-/** The page's style sheets become one, in the place of the first; those that come later are named in its head. */
+/** The page's style sheets become two, in the place of the first; between them and in the page's head those that come later are named. */
 function joinStyles(built, text) {
   const names = [...text.matchAll(STYLES)].map(([, name]) => name);
   const isLater = (name) => LATER_STYLES.some(([, pattern]) => pattern.test(name));
-  const style = joined(built, "style", names.filter((name) => !isLater(name)));
-  const later = LATER_STYLES.map(([stem, pattern]) => [stem, joined(built, stem, names.filter((name) => pattern.test(name)))]);
+  const middle = names.findIndex((name) => VIEWS.test(name));
+  const now = (stem, names) => `<link rel="stylesheet" href="./${joined(built, stem, names.filter((name) => !isLater(name)))}">\n  `;
+  const [before, behind] = [now("style", names.slice(0, middle)), now("end-style", names.slice(middle))];
+  const later = LATER_STYLES.map(([stem, pattern]) => {
+    const name = joined(built, stem, names.filter((name) => pattern.test(name)));
+    return `<meta name="giveway-${stem}" content="./${name}">\n  `;
+  });
   let isFirst = true;
   return text.replaceAll(STYLES, () => {
-    const metas = later.map(([stem, name]) => `<meta name="giveway-${stem}" content="./${name}">\n  `).join("");
-    const links = isFirst ? `<link rel="stylesheet" href="./${style}">\n  ${metas}` : "";
+    const links = isFirst ? [before, ...later, behind].join("") : "";
     isFirst = false;
     return links;
   });

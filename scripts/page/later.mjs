@@ -28,6 +28,16 @@ export function withLater(bindings, path) {
 const LATER = new URL("${path}", import.meta.url);
 let isWhole = false;
 let prepared;
+// The style of what the later part shows takes the place that the page's head keeps for it; a worker has no page.
+function dress() {
+  const meta = globalThis.document?.querySelector('meta[name="giveway-later-style"]');
+  if (meta) {
+    const link = document.createElement("link");
+    link.rel = "stylesheet";
+    link.href = meta.content;
+    meta.replaceWith(link);
+  }
+}
 function join(module) {
   if (!isWhole) {
     new WebAssembly.Instance(module, { first: wasm });
@@ -35,6 +45,7 @@ function join(module) {
   }
 }
 function loadLater() {
+  dress();
   if (prepared) {
     join(prepared);
     return;
@@ -53,6 +64,7 @@ function loadLater() {
   join(new WebAssembly.Module(Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0))));
 }
 export async function prepare() {
+  dress();
   const response = await fetch(LATER);
   if (response.ok) {
     prepared = await WebAssembly.compile(await response.arrayBuffer());

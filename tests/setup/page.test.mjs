@@ -53,8 +53,10 @@ test("a changed file changes the paths of all that name it, and no other", () =>
 test("style sheets are joined, those of what comes later apart", () => {
   const folder = built();
   const sheets = readdirSync(folder).filter((name) => name.endsWith(".css")).map((name) => name.replace(/-[0-9a-f]{16}/, ""));
-  assert.deepEqual(sheets.sort(), ["course-style.css", "hand-style.css", "present-style.css", "style.css"]);
-  assert.equal([...at(folder, "index.html").matchAll(/rel="stylesheet"/g)].length, 1);
+  assert.deepEqual(sheets.sort(), ["course-style.css", "end-style.css", "hand-style.css", "later-style.css", "present-style.css", "style.css"]);
+  const page = at(folder, "index.html");
+  const links = [...page.matchAll(/(?:href|content)="\.\/((?:end-|later-)?style)-/g)].map(([, stem]) => stem);
+  assert.deepEqual(links, ["style", "later-style", "end-style"], "each has its place in the order");
   rmSync(folder, { recursive: true });
 });
 
