@@ -35,6 +35,8 @@ function dress() {
     const link = document.createElement("link");
     link.rel = "stylesheet";
     link.href = meta.content;
+    // Asked for again as soon as it is needed.
+    link.addEventListener("error", () => link.replaceWith(meta), { once: true });
     meta.replaceWith(link);
   }
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
-import { flows } from "./flow.mjs";
+import { BOTH, flows } from "./flow.mjs";
 import { open } from "./browser.mjs";
 import { Playground } from "./page.mjs";
 import { eventually } from "./wait.mjs";
@@ -70,4 +70,25 @@ describe("the later part of the page's program", () => {
     await page.getByRole("dialog", { name: "Share" }).waitFor();
     await context.close();
   }, { fresh: true, screens: ["desktop"], complains: true });
+
+  flow("brings a style that what a first visit shows does without", async (playground, { page }) => {
+    await playground.press("Solve");
+    await playground.says(/^Optimal: /);
+    const link = page.locator('link[href*="later-style"]');
+    await link.waitFor({ state: "attached" });
+    await eventually("the style to be there", () => link.evaluate((link) => link.sheet !== null));
+    const changed = await link.evaluate((link) => {
+      const look = () => [...document.querySelectorAll("body *")].filter((element) => !element.ownerSVGElement).map((element) => {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        const { display, color, fontSize, padding } = getComputedStyle(element);
+        return [element.tagName, element.className, x, y, width, height, display, color, fontSize, padding].join(" ");
+      });
+      const before = look();
+      link.disabled = true;
+      const after = look();
+      link.disabled = false;
+      return after.filter((line, at) => line !== before[at]);
+    });
+    assert.deepEqual(changed, []);
+  }, { screens: BOTH });
 });
