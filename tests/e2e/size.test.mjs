@@ -19,10 +19,10 @@ const LATER = /^app-.*_later\.wasm$/;
  * that takes at 1.6 Mbit/s and 150 ms stands in docs/page.md.
  */
 const STAGES = [
-  ["until something moves", /^$|^(end-)?style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 33_200],
-  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 620_000],
-  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 777_000],
-  ["until all of the page is there", /^app-.*_later\.wasm$|^later-style-/, 1_387_000],
+  ["until something moves", /^$|^(end-)?style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 30_200],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 617_000],
+  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 774_500],
+  ["until all of the page is there", /^app-.*_later\.wasm$|^later-style-/, 1_391_500],
 ];
 
 let host;
