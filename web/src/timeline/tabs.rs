@@ -77,6 +77,12 @@ pub(super) fn Tabs(props: &TabsProps) -> Html {
             (Tab::Inspector, None) if *checks => tr!("Check"),
             _ => name.text(),
         };
+        // The text of a lesson has the place of the inspector.
+        let place = if choice == Tab::Inspector && *teaches {
+            "course"
+        } else {
+            place
+        };
         html! {
             <button type="button" role="tab" aria-selected={is_shown.to_string()} aria-controls={place}
                 tabindex={if is_shown { "0" } else { "-1" }}
