@@ -45,13 +45,28 @@ describe("the price of a rule in a lesson", () => {
     await course.solved();
     assert.equal(await line.getByRole("listitem").count(), 2);
     assert.equal(await course.lesson.getByRole("button", { name: "Guess again" }).count(), 0);
+
+    // Who comes back sees what was answered last.
+    await page.reload();
+    await course.says(/Solved.*Your last answer: 2/);
+  }, { screens: BOTH });
+
+  flow("is guessed before a room", async (playground, { page }) => {
+    await opens(playground, "rules-of-the-road.2", "What does a limit cost?");
+    await playground.key("p");
+    const third = page.locator(".third:visible");
+    await third.getByRole("textbox").fill("2");
+    await third.getByRole("button", { name: "Say it" }).click();
+    await third.getByText("Solved").waitFor();
+    assert.equal(await third.getByRole("textbox").count(), 0);
+    await playground.picture("price-before-a-room");
   }, { screens: BOTH });
 
   flow("is shown by the plan without it where no plan keeps it", async (playground) => {
     const course = await opens(playground, "pick-then-drop.3", "Three rules, no plan");
     await course.lesson.getByRole("button", { name: "A1 arrives by 9" }).click();
     await course.says(/The order asks for the opposite/);
-    await playground.says(/^Without the rule there is a plan: makespan \d+\b/);
+    await playground.says(/^Without rule \d there is a plan: makespan \d+\b/);
     await audit(playground, "the plan without a rule");
     await playground.picture("without-a-rule");
   }, { screens: BOTH });

@@ -3,6 +3,7 @@
 use borsh::{BorshDeserialize, BorshSerialize};
 use serde::{Deserialize, Serialize};
 
+use crate::constraint::{InForce, in_force};
 use crate::object::null_is_default;
 use crate::object_only;
 use crate::{Agent, Assumption, Constraint, Objective, Rules, Units, Version, Zone};
@@ -54,3 +55,10 @@ pub struct Scene {
 }
 
 object_only!(Scene);
+
+impl Scene {
+    /// The rules of its own that are in force, with the agents that they bind.
+    pub fn constraints_in_force(&self) -> impl Iterator<Item = InForce<'_>> {
+        in_force(&self.constraints, &self.agents)
+    }
+}

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_page::Draft;
 use giveway_page::board::{
     KeptShape, LaneShape, RulesNow, SignKind, TabWords, TagShape, ZoneShape, kept_free,
-    rule_shapes, rules_now, tab_parts,
+    rule_shapes, rules_at, rules_now, tab_parts,
 };
 use giveway_page::rules::Lit;
 use yew::prelude::*;
@@ -58,6 +58,23 @@ pub(super) fn layer(state: &Shown, draft: &Rc<Draft>, layer: Layer) -> Html {
 /// is hidden.
 pub(super) fn on_paper(state: &Shown, layer: Layer) -> Html {
     show(state, state.world(), layer, "shut-paper")
+}
+
+/// Zones and lanes of a small board, at a time.
+pub(super) fn on_small(draft: &Rc<Draft>, time: u32) -> Html {
+    let scene = draft.scene();
+    if scene.zones.is_empty() && scene.constraints.is_empty() {
+        return Html::default();
+    }
+    let props = RulesProps {
+        now: rules_at(draft, time),
+        draft: Rc::clone(draft),
+        lit: None,
+        kept: Vec::new(),
+        layer: Layer::Floor,
+        hatch: "shut-small",
+    };
+    html! { { part::<Rules>(props) } }
 }
 
 fn show(state: &Shown, draft: &Rc<Draft>, layer: Layer, hatch: &'static str) -> Html {
@@ -192,7 +209,8 @@ fn tag(tag: &TagShape) -> Html {
     // A clock stands before the steps of a stay.
     let is_stay = tag.class.contains("stay");
     let clock = if is_stay { CLOCK } else { 0.0 };
-    let width = tag.text.chars().count() as f64 * 11.0 + 12.0 + clock;
+    let words = tag.words_width();
+    let width = words + 12.0 + clock;
     let left = -width / 2.0;
     let bar = match tag.class {
         "late" => Some(width / 2.0),
@@ -202,7 +220,7 @@ fn tag(tag: &TagShape) -> Html {
     html! {
         <g class={classes!("rule-tag-on", tag.is_broken.then_some("broken"), tag.class.split(' ').map(str::to_owned).collect::<Vec<_>>())} transform={format!("translate({x} {y})")}><g class="in">
             <rect x={left.to_string()} y="-14" width={width.to_string()} height="28" rx="6" />
-            <text x={(clock / 2.0).to_string()} y="6.5" text-anchor="middle">{ tag.text.clone() }</text>
+            <text x={(clock / 2.0).to_string()} y="6.5" text-anchor="middle" textLength={words.to_string()} lengthAdjust="spacingAndGlyphs">{ tag.text.clone() }</text>
             if is_stay {
                 <path class="stay-clock" transform={format!("translate({} 0)", left + CLOCK / 2.0 + 3.0)} d="M0-8a8 8 0 1 0 .01 0M0-4V0l3 2" />
             }

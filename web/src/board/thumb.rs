@@ -12,6 +12,7 @@ use super::film::Film;
 use super::floor::FloorShapes;
 use super::marks::{FLAG, FLAG_CLOTH, FLAG_POLE, STAR};
 use super::reasons::burst;
+use super::rules;
 use crate::board::floor::FloorProps;
 use crate::held::{Held, use_held};
 use crate::part::part;
@@ -68,6 +69,7 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
     html! {
         <svg class="map d-forms" viewBox={format!("-6 -6 {} {}", 100 * width + 12, 100 * height + 12)} aria-hidden="true">
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(&film.draft), look: FloorLook::of(CELL_PX), used_by: None::<Rc<_>> }) }
+            { rules::on_small(&film.draft, time as u32) }
             { for (0..film.ways.len()).map(|index| way(film, index, time)) }
             { for film.marks.iter().map(flag) }
             { for robots.iter().filter(|(_, pose)| !pose.is_gone).map(|(index, pose)| robot(*index, pose, &robots)) }

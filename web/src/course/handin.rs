@@ -165,7 +165,7 @@ pub(super) fn show(tutor: &Tutor, handing: &Handing, open: &Open, send: &Callbac
     }
 }
 
-fn name(handing: &Handing, made: &HandIn, hint: Option<&str>, send: &Callback<Msg>) -> Html {
+fn name(handing: &Handing, made: &HandIn, hint: Option<String>, send: &Callback<Msg>) -> Html {
     let oninput = send.reform(|event: InputEvent| {
         let field: HtmlInputElement = event.target_unchecked_into();
         Msg::Hand(HandMsg::Form(FormAction::Name(field.value())))

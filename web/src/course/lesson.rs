@@ -52,7 +52,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, shelf: &Rc<Shelf>, send: &Callbac
                 { elsewhere(open, send) }
             </div>
             { foot(tutor, open, send) }
-            { third::show(open, step, reader) }
+            { third::show(tutor, open, step, reader) }
         </aside>
     }
 }

@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 
 use giveway_course::lesson::{Id, Lesson, Step, Task, Text};
+use giveway_model::constraint::InForce;
 use giveway_model::{Cell, Instance, Plan, tr};
 use giveway_picture::{Look, on_paper};
 use gloo::events::EventListener;
@@ -149,13 +150,11 @@ fn rules(step: &Step) -> Html {
     let Some(scene) = &step.scene else {
         return Html::default();
     };
-    let rules = scene.constraints.iter().enumerate();
-    let rules = rules.filter(|(place, rule)| rule.in_force(*place, &scene.agents).is_some());
-    let row = |(place, rule): (usize, &giveway_model::Constraint)| {
-        let number = tr!("Rule {n}", n = place + 1);
-        html! { <p><b>{ number }</b>{ format!(": {}", rule.sentence()) }</p> }
+    let row = |rule: InForce| {
+        let number = tr!("Rule {n}", n = rule.index + 1);
+        html! { <p><b>{ number }</b>{ format!(": {}", rule.constraint.sentence()) }</p> }
     };
-    html! { <>{ for rules.map(row) }</> }
+    html! { <>{ for scene.constraints_in_force().map(row) }</> }
 }
 
 fn board(lesson: &Lesson, index: usize, step: &Step) -> Option<String> {

@@ -3,7 +3,8 @@
 use giveway_course::learner::Open;
 use giveway_course::lesson::Task;
 use giveway_course::lesson::quantity::ValueKind;
-use giveway_model::{Constraint, tr};
+use giveway_model::constraint::InForce;
+use giveway_model::tr;
 use yew::prelude::*;
 
 /// The rules in force of the board; nothing where they are the answers to pick from.
@@ -12,10 +13,7 @@ pub(super) fn show(open: &Open) -> Html {
         Task::Predict(task) => task.answers.is_empty() && task.what.kind() == ValueKind::Rule,
         _ => false,
     };
-    let scene = open.scene();
-    let rules = scene.constraints.iter().enumerate();
-    let rules = rules.filter(|(place, rule)| rule.in_force(*place, &scene.agents).is_some());
-    let rules: Vec<(usize, &Constraint)> = rules.collect();
+    let rules: Vec<InForce> = open.scene().constraints_in_force().collect();
     let is_asked = open
         .step()
         .and_then(|step| step.task.as_ref())
@@ -23,9 +21,9 @@ pub(super) fn show(open: &Open) -> Html {
     if rules.is_empty() || is_asked {
         return Html::default();
     }
-    let row = |(place, rule): (usize, &Constraint)| {
-        let number = tr!("Rule {n}", n = place + 1);
-        html! { <li><b>{ number }</b><span>{ rule.sentence() }</span></li> }
+    let row = |rule: InForce| {
+        let number = tr!("Rule {n}", n = rule.index + 1);
+        html! { <li><b>{ number }</b><span>{ rule.constraint.sentence() }</span></li> }
     };
     html! {
         <ul class="rules-here" aria-label={tr!("Rules of this board")}>{ for rules.into_iter().map(row) }</ul>

@@ -4,16 +4,19 @@
 use giveway_course::judge::words::said;
 use giveway_course::judge::{Did, Verdict};
 use giveway_course::learner::Open;
+use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::{Step, Task, Text};
 use yew::prelude::*;
 
+use super::exercise::{free, is_answered};
 use super::prose::{Reader, first_sentence};
+use super::tutor::Tutor;
 
 /// The most sentences that are read from the last row.
 const SENTENCES: usize = 2;
 
 /// The title, then the task or what the text begins with, then what is judged.
-pub(super) fn show(open: &Open, step: &Step, reader: Reader<'_>) -> Html {
+pub(super) fn show(tutor: &Tutor, open: &Open, step: &Step, reader: Reader<'_>) -> Html {
     let text = match &step.task {
         Some(task) => task.say().clone(),
         None => Text::opening(&step.text, SENTENCES),
@@ -32,6 +35,7 @@ pub(super) fn show(open: &Open, step: &Step, reader: Reader<'_>) -> Html {
             <h2>{ step.title.clone() }</h2>
             <p>{ reader.still(text.spans()) }</p>
             { answers(open, step.task.as_ref(), reader) }
+            { unsaid(tutor, open, step.task.as_ref(), reader) }
             { judged.unwrap_or_default() }
         </section>
     }
@@ -76,6 +80,33 @@ fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
         return html! {};
     }
     html! { <ol>{ for list }</ol> }
+}
+
+/// What a prediction without answers to pick from is said by, until it is said: a field, or
+/// the robots or rules by their keys.
+fn unsaid(tutor: &Tutor, open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
+    let kind = match task {
+        Some(Task::Predict(task)) if task.answers.is_empty() => task.what.kind(),
+        _ => return html! {},
+    };
+    if is_answered(open) {
+        return html! {};
+    }
+    let row = |place: usize, words: Html| html! { <li><kbd>{ place + 1 }</kbd><span>{ words }</span></li> };
+    let scene = open.scene();
+    match kind {
+        ValueKind::Number => free::number(tutor, reader),
+        ValueKind::Robot => {
+            let robots = scene.agents.iter().enumerate();
+            html! { <ol>{ for robots.map(|(place, agent)| row(place, reader.robot(&agent.name))) }</ol> }
+        }
+        ValueKind::Rule => {
+            let rules = scene.constraints_in_force();
+            html! { <ol>{ for rules.map(|rule| row(rule.index, html! { { rule.constraint.sentence() } })) }</ol> }
+        }
+        // It is pressed on the board.
+        ValueKind::Cell => html! {},
+    }
 }
 
 /// Whether answers differ in their first sentences already.

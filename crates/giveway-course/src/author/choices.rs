@@ -41,9 +41,9 @@ pub(super) fn rules(scene: Option<&Scene>) -> Vec<Pick> {
     let Some(scene) = scene else {
         return Vec::new();
     };
-    let rules = scene.constraints.iter().enumerate();
-    let on = rules.filter(|(index, rule)| rule.in_force(*index, &scene.agents).is_some());
-    on.map(|(index, rule)| Pick::new(index.to_string(), rule.called()))
+    let rules = scene.constraints_in_force();
+    rules
+        .map(|rule| Pick::new(rule.index.to_string(), rule.constraint.called()))
         .collect()
 }
 

@@ -2,7 +2,7 @@
 
 use giveway_model::tr;
 
-use super::{HandIn, hand_in, link, write};
+use super::{HandIn, MAX_NAME, hand_in, link, write};
 use crate::learner::Progress;
 use crate::lesson::{Id, Lesson};
 
@@ -92,10 +92,13 @@ impl Form {
         (self, effect)
     }
 
-    /// What is said below the name: what its lack means.
-    pub fn name_hint(&self, of: Subject<'_>) -> Option<&'static str> {
-        let is_nameless = self.made(of).name.is_none();
-        is_nameless.then(|| tr!("Your lecturer will not know whose it is."))
+    /// What is said below the name: what its lack means, or how it is written in the file.
+    pub fn name_hint(&self, of: Subject<'_>) -> Option<String> {
+        let Some(name) = self.made(of).name else {
+            return Some(tr!("Your lecturer will not know whose it is.").to_owned());
+        };
+        let written = self.name.split_whitespace().collect::<Vec<_>>().join(" ");
+        (name != written).then(|| tr!("In the file it is “{name}”: a name has at most {n} letters, without signs that cannot be seen.", name, n = MAX_NAME))
     }
 
     /// Why there is no link, where there is none.

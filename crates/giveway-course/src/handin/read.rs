@@ -48,7 +48,8 @@ fn too_long(bytes: usize) -> Fault {
 
 /// Reads the JSON of a hand-in.
 pub(super) fn from_json(json: &str) -> Result<HandIn, Fault> {
-    let hand_in: HandIn = native::read_object(json)?;
+    let phrase = tr!("a hand-in, with \"hand-in\" and \"tasks\"");
+    let hand_in: HandIn = native::read_file(json, "hand-in", phrase)?;
     match bounds::faults(&hand_in) {
         None => Ok(hand_in),
         Some(fault) => {

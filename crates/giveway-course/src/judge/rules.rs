@@ -70,9 +70,7 @@ pub(super) fn price(scene: &Scene, rule: u32, responses: &[Response]) -> Result<
 
 /// The rules in force, by their numbers.
 fn in_force(scene: &Scene) -> impl Iterator<Item = u32> + '_ {
-    let rules = scene.constraints.iter().enumerate();
-    let in_force = rules.filter(|(index, rule)| rule.in_force(*index, &scene.agents).is_some());
-    in_force.map(|(index, _)| index as u32)
+    scene.constraints_in_force().map(|rule| rule.index as u32)
 }
 
 /// The requests for the rule that leaves no plan: with all rules, and without each one.

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::{Agent, Plan, Scene};
 
 use super::{Judge, Proof};
-use crate::handin::{Work, work_of};
+use crate::handin::{Work, answer_words, work_of};
 use crate::judge::{Did, Situation};
 use crate::lesson::quantity::ValueKind;
 use crate::lesson::{Id, Layer, Lesson, Step, Task};
@@ -44,6 +44,8 @@ pub struct Open {
     pub(super) attempts: u32,
     /// Whether the task had been solved before the step was opened.
     pub(super) was_solved: bool,
+    /// What had been done for it before.
+    pub(super) before: Option<Work>,
 }
 
 impl Open {
@@ -72,6 +74,7 @@ impl Open {
             hints: 0,
             attempts: 0,
             was_solved: false,
+            before: None,
         })
     }
 
@@ -197,6 +200,15 @@ impl Open {
     /// in it since.
     pub fn was_solved(&self) -> bool {
         self.was_solved && self.judge == Judge::Waiting && !self.has_done()
+    }
+
+    /// The last answer that was given before the step was opened, in words, as long as
+    /// nothing was done in it since.
+    pub fn answer_before(&self) -> Option<String> {
+        let is_untouched = self.judge == Judge::Waiting && !self.has_done();
+        let work = self.before.as_ref().filter(|_| is_untouched)?;
+        let answer = work.answer.as_ref()?;
+        Some(answer_words(answer, self.at, &self.lesson))
     }
 
     /// Where the learner is, for the judges.

@@ -84,7 +84,7 @@ impl Learner {
                 self.left = None;
                 self.progress.forget();
                 if let Some(open) = &mut self.open {
-                    open.was_solved = false;
+                    (open.was_solved, open.before) = (false, None);
                 }
                 effects.push(Effect::Keep(self.progress.clone()));
             }
@@ -147,6 +147,8 @@ impl Learner {
             self.progress.opened(&open.id, &open.lesson, open.at);
             let step = open.step();
             open.was_solved = step.is_some_and(|step| self.progress.is_solved(&open.id, step));
+            let works = self.progress.works(&open.id, &open.lesson);
+            open.before = works.into_iter().find(|work| work.step == open.at);
             effects.push(Effect::Keep(self.progress.clone()));
         }
         self.open = Some(open);

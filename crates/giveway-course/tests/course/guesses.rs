@@ -69,8 +69,9 @@ fn a_solved_step_is_shown_as_solved_after_a_reload_unless_it_was_edited() {
         let (learner, _) = reduce(Learner::default(), Action::Kept(progress));
         opened(learner, lesson)
     };
+    let before = |learner: &Learner| learner.open.as_ref().unwrap().answer_before();
     let fresh = opened(Learner::default(), lesson.clone());
-    assert!(!was_solved(&fresh));
+    assert!(!was_solved(&fresh) && before(&fresh).is_none());
     assert!(!was_solved(&reloaded(
         &guessed(fresh.clone(), 7),
         lesson.clone()
@@ -78,12 +79,14 @@ fn a_solved_step_is_shown_as_solved_after_a_reload_unless_it_was_edited() {
     let solved = guessed(fresh, 9);
     let again = reloaded(&solved, lesson.clone());
     assert!(was_solved(&again));
+    assert!(before(&again).unwrap().starts_with("At 9."));
     // It can be done again, and then what is said is of that.
     let (anew, _) = reduce(again.clone(), Action::Afresh);
     assert!(!was_solved(&anew));
-    assert!(!was_solved(&guessed(again.clone(), 7)));
+    let wrong = guessed(again.clone(), 7);
+    assert!(!was_solved(&wrong) && before(&wrong).is_none());
     let (forgotten, _) = reduce(again, Action::Reset);
-    assert!(!was_solved(&forgotten));
+    assert!(!was_solved(&forgotten) && before(&forgotten).is_none());
     let mut edited = lesson;
     edited.steps[1].title += "!";
     assert!(!was_solved(&reloaded(&solved, edited)));

@@ -383,6 +383,9 @@ fn faults_say_where_and_what() {
     );
     let two = read(&format!("{text}\n{text}")).unwrap_err();
     assert_eq!(two.found, "a second hand-in");
+    let scene = giveway_model::format::native::write_scene(lesson.scene(1).unwrap());
+    let other = read(&scene).unwrap_err();
+    assert!(other.found.starts_with("an instance"), "{other}");
     let pdf = read("%PDF-1.4 nothing").unwrap_err();
     assert!(pdf.to_string().contains("a hand-in"), "{pdf}");
 }

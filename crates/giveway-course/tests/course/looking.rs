@@ -82,6 +82,9 @@ fn the_form_saves_a_file_and_copies_a_link() {
         (none, form.name_hint(of), form.no_link(of)),
         (None, None, None)
     );
+    let (long, _) = form.clone().reduce(FormAction::Name("a".repeat(61)), of);
+    let hint = long.name_hint(of).unwrap();
+    assert!(hint.contains(&format!("“{}”", "a".repeat(60))) && hint.contains("60 letters"));
     let (form, effect) = form.reduce(FormAction::Save, of);
     let Some(FormEffect::Save { name, text }) = effect else {
         panic!("{effect:?}");

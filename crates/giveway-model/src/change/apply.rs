@@ -1,6 +1,7 @@
 //! The changes of one time, applied together to the world as a plan has it.
 
 mod constraints;
+mod ground;
 mod look_over;
 
 use std::collections::BTreeMap;
@@ -9,7 +10,7 @@ use super::{
     Change, Epoch, History, MAX_DELAY, MAX_TIME, TimedWaypoint, Timeline, Trajectory, What,
     Whereabouts, refuse,
 };
-use crate::{Agent, Battery, Cell, Fault, Grid, Ground, MAX_AGENTS, MAX_CAPACITY, Plan};
+use crate::{Agent, Battery, Cell, Fault, Grid, MAX_AGENTS, MAX_CAPACITY, Plan};
 
 pub(super) use look_over::Taken;
 
@@ -146,11 +147,6 @@ impl World<'_> {
         }
     }
 
-    fn ground(&self, cell: Cell) -> Result<Ground, Reason> {
-        let off = || refuse::off_map(cell, &self.grid);
-        self.grid.ground(cell).ok_or_else(off)
-    }
-
     fn add(&mut self, index: usize, agent: &Agent) -> Result<(), Reason> {
         if agent.name.is_empty() {
             return Err(refuse::no_name());
@@ -190,49 +186,6 @@ impl World<'_> {
         }
         timeline.until = Some(at);
         Ok(())
-    }
-
-    fn block(&mut self, index: usize, cell: Cell) -> Result<(), Reason> {
-        if self.ground(cell)? == Ground::Obstacle {
-            return Err(refuse::blocked(cell));
-        }
-        self.grid.set_ground(cell, Ground::Obstacle);
-        self.obstacles.insert(cell, index);
-        Ok(())
-    }
-
-    fn unblock(&mut self, cell: Cell) -> Result<(), Reason> {
-        if self.ground(cell)? != Ground::Obstacle {
-            return Err(refuse::no_obstacle(cell));
-        }
-        self.grid.set_ground(cell, Ground::Free);
-        self.obstacles.remove(&cell);
-        Ok(())
-    }
-
-    /// Changes whether vertices are chargers, and in the slow zone.
-    fn pave(
-        &mut self,
-        cells: &[Cell],
-        make: impl Fn(bool, bool) -> (bool, bool),
-    ) -> Result<(), Reason> {
-        for &cell in cells {
-            let ground = self.ground(cell)?;
-            if !ground.is_vertex() {
-                return Err(refuse::in_obstacle(cell));
-            }
-            let (charger, slow) = make(ground.is_charger(), ground.is_slow());
-            self.grid.set_ground(cell, Ground::vertex(charger, slow));
-        }
-        Ok(())
-    }
-
-    fn charger(&mut self, cell: Cell, is_there: bool) -> Result<(), Reason> {
-        let ground = self.ground(cell)?;
-        if ground.is_vertex() && ground.is_charger() == is_there {
-            return Err(refuse::charger(cell, is_there));
-        }
-        self.pave(&[cell], |_, slow| (is_there, slow))
     }
 
     fn goal(&mut self, index: usize, name: &str, cell: Cell) -> Result<(), Reason> {

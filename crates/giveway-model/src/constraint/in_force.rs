@@ -1,8 +1,10 @@
 //! Constraints in force, and the agents that they bind.
 
+use std::collections::BTreeMap;
+
 use super::{Constraint, ConstraintKind};
 use crate::Agent;
-use crate::sorting::set;
+use crate::sorting::{map, set};
 
 /// A constraint in force, with the agents that it binds.
 #[derive(Clone, Debug)]
@@ -14,6 +16,22 @@ pub struct InForce<'a> {
     /// The agents that it binds, by their numbers in the instance, ascending. Of a
     /// precedence both.
     pub agents: Vec<usize>,
+}
+
+/// Those of some constraints that are in force among these agents, in their order.
+pub(crate) fn in_force<'a>(
+    constraints: &'a [Constraint],
+    agents: &'a [Agent],
+) -> impl Iterator<Item = InForce<'a>> {
+    let named = agents.iter().enumerate();
+    let named = named.filter(|_| !constraints.is_empty());
+    let numbers: BTreeMap<&str, usize> =
+        map(named.map(|(number, agent)| (agent.name.as_str(), number)));
+    let constraints = constraints.iter().enumerate();
+    constraints.filter_map(move |(index, it)| {
+        let number = |name: &str| numbers.get(name).copied();
+        it.in_force_among(index, &number, || (0..agents.len()).collect())
+    })
 }
 
 impl Constraint {

@@ -29,6 +29,7 @@ use crate::condition::{Times, Visit};
 pub(crate) use faults::{World, check, find};
 pub use heading::{Heading, quarter_turn};
 pub use in_force::InForce;
+pub(crate) use in_force::in_force;
 pub use looser::{Loosens, LooserWay};
 pub use timed::TimedConstraint;
 pub use words::sentences;

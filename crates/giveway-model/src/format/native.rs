@@ -78,6 +78,28 @@ pub fn read_object<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Fault> {
     json::read(without_mark(text))
 }
 
+/// Reads an object of a file of its own, which has a key that no other file has; the phrase says
+/// what it is.
+///
+/// # Errors
+/// As [`read_object`]; where the text is another file of the format, what it is.
+///
+/// ```
+/// use giveway_model::{Plan, format::native};
+/// let text = r#"{ "giveway": 1, "map": ["."], "agents": [] }"#;
+/// let fault = native::read_file::<Plan>(text, "hand-in", "a hand-in").unwrap_err();
+/// assert_eq!((fault.found, fault.expected), (
+///     "an instance, with \"map\" and \"agents\"".into(), "a hand-in".into()));
+/// ```
+pub fn read_file<'a, T: Deserialize<'a>>(
+    text: &'a str,
+    key: &str,
+    phrase: &str,
+) -> Result<T, Fault> {
+    let text = without_mark(text);
+    json::read(text).map_err(|fault| mistaken(text, key, phrase).unwrap_or(fault))
+}
+
 /// Gives faults of a scene their lines and columns in the text that it was
 /// read from. Places that are not in the text get those of what is around them.
 pub fn in_text(text: &str, faults: Vec<Fault>) -> Vec<Fault> {
@@ -97,8 +119,7 @@ pub fn in_text(text: &str, faults: Vec<Fault>) -> Vec<Fault> {
 }
 
 fn read<'a, T: Deserialize<'a>>(text: &'a str, kind: Kind) -> Result<T, Fault> {
-    let text = without_mark(text);
-    json::read(text).map_err(|fault| mistaken(text, kind).unwrap_or(fault))
+    read_file(text, kind.key(), kind.phrase())
 }
 
 /// The objects of the format, each told by a key that only it has.
@@ -134,16 +155,16 @@ impl Kind {
 
 /// Two mistakes that explain all others: a newer version, and another kind of
 /// file than the one asked for.
-fn mistaken(text: &str, wanted: Kind) -> Option<Fault> {
+fn mistaken(text: &str, key: &str, phrase: &str) -> Option<Fault> {
     let fields: Fields<'_> = serde_json::from_str(text).ok()?;
     if let Some(fault) = version_fault(text) {
         return Some(fault);
     }
-    if fields.has(wanted.key()) {
+    if fields.has(key) {
         return None;
     }
     let found = Kind::ALL.into_iter().find(|kind| fields.has(kind.key()))?;
-    Some(Fault::at("", found.phrase(), wanted.phrase()).in_text(1, 1))
+    Some(Fault::at("", found.phrase(), phrase).in_text(1, 1))
 }
 
 fn version_fault(text: &str) -> Option<Fault> {

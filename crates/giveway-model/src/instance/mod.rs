@@ -11,11 +11,11 @@ use faults::{check_agent, check_shared, map_fault};
 pub use start_state::{Breakdown, ClosedCell, StartState};
 
 use crate::assumption::MAX_ASSUMPTIONS;
-use crate::sorting::{map, set};
+use crate::sorting::set;
 use crate::{
     Agent, Assumption, AtGoal, Constraint, Cost, Fault, Grid, Objective, Rules, Scene, Units,
     Version, Zone,
-    constraint::{InForce, TimedConstraint},
+    constraint::{InForce, TimedConstraint, in_force},
     tr,
 };
 
@@ -205,15 +205,7 @@ impl Instance {
 
     /// The rules of its own that are in force, with the agents that they bind.
     pub fn constraints_in_force(&self) -> impl Iterator<Item = InForce<'_>> {
-        let agents = self.agents.iter().enumerate();
-        let agents = agents.filter(|_| !self.constraints.is_empty());
-        let numbers: BTreeMap<&str, usize> =
-            map(agents.map(|(number, agent)| (agent.name.as_str(), number)));
-        let constraints = self.constraints.iter().enumerate();
-        constraints.filter_map(move |(index, it)| {
-            let number = |name: &str| numbers.get(name).copied();
-            it.in_force_among(index, &number, || (0..self.agents.len()).collect())
-        })
+        in_force(&self.constraints, &self.agents)
     }
 
     /// An objective as it is in force: where a rule makes something cost a penalty, and the

@@ -43,7 +43,7 @@ pub use reasons::{
 };
 pub use rules::{
     KeptShape, LaneShape, RuleShapes, RulesNow, SignKind, TagShape, ZoneShape, kept_free,
-    rule_shapes, rules_now,
+    rule_shapes, rules_at, rules_now,
 };
 pub(crate) use shade::shade;
 pub(crate) use star::middle;

@@ -7,16 +7,13 @@ use super::motion::When;
 use super::stage::Stage;
 use crate::letters::Anchor;
 use crate::xml::{Escaped, Number};
-use crate::{Badge, CELL, Detail, Ink, Pose, Track, TurnSide, corner, form};
+use crate::{Badge, CELL, Detail, Ink, Pose, Track, TurnSide, form};
 
 /// The least radius of a robot on a large map, in pixels: it is seen, though it is larger
 /// than its cell.
 const LEAST_RADIUS_PX: f64 = 3.0;
 /// The circumference of a battery's ring, in units.
 const RING: f64 = 226.2;
-const BOLT: &str = "M2.5-10-7 2.5h6l-2 9L8-3.5H1.5Z";
-const PAUSE: &str = "M-4-6V6M4-6V6";
-const CROSS: &str = "M-6-6 6 6M6-6-6 6";
 
 impl Stage {
     /// The capsules of slow moves, and the agents above them.
@@ -172,61 +169,6 @@ impl Stage {
         self.badge(Badge::Broken, track, pose, when, svg);
     }
 
-    fn badge(
-        &self,
-        badge: Badge,
-        track: &Track,
-        pose: &Pose,
-        when: &mut When<'_>,
-        svg: &mut String,
-    ) {
-        let shown = |pose: &Pose| pose.badge == Some(badge);
-        let blinks = when.at_once(
-            || each_step(track, self.steps, 0.0, shown),
-            |shown| opacity(*shown),
-        );
-        let is_shown = shown(pose);
-        if !is_shown && blinks.is_empty() {
-            return;
-        }
-        let inks = &self.inks;
-        let (circle, sign) = match badge {
-            Badge::Charges => (inks.charge, format!("d=\"{BOLT}\" fill=\"{}\"", inks.bolt)),
-            Badge::Waits => (
-                inks.wait,
-                format!(
-                    "d=\"{PAUSE}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
-                    inks.floor
-                ),
-            ),
-            Badge::Turns(side) => (
-                inks.wait,
-                format!(
-                    "d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
-                    side.arrow(),
-                    inks.floor
-                ),
-            ),
-            Badge::Broken => (
-                inks.danger,
-                format!(
-                    "d=\"{CROSS}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4.5\" stroke-linecap=\"round\"",
-                    inks.floor
-                ),
-            ),
-        };
-        let floor = inks.floor;
-        push(
-            svg,
-            format_args!(
-                "<g{blinks}{} transform=\"{}\"><circle r=\"17\" fill=\"{circle}\" stroke=\"{floor}\" stroke-width=\"4\"/><path {sign}/></g>",
-                hidden(is_shown),
-                // In a moving picture it may come to a flag.
-                corner::of_badge(true)
-            ),
-        );
-    }
-
     /// The capsule over both cells of a slow move.
     fn capsule(&self, agent: usize, track: &Track, when: &mut When<'_>, svg: &mut String) {
         let over = |pose: &Pose| {
@@ -308,10 +250,10 @@ fn shift(x: f64, y: f64) -> String {
     format!("transform:translate({}px,{}px)", Number(x), Number(y))
 }
 
-fn opacity(is_shown: bool) -> String {
+pub(super) fn opacity(is_shown: bool) -> String {
     format!("opacity:{}", u8::from(is_shown))
 }
 
-const fn hidden(is_shown: bool) -> &'static str {
+pub(super) const fn hidden(is_shown: bool) -> &'static str {
     if is_shown { "" } else { " opacity=\"0\"" }
 }

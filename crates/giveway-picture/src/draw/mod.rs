@@ -2,6 +2,7 @@
 //! waypoints, the time; and what of it moves.
 
 mod agents;
+mod badge;
 mod course;
 mod ground;
 mod keys;

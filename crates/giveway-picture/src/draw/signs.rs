@@ -97,7 +97,7 @@ impl Stage {
         let (dx, dy) = tag.place();
         let x = f64::from(tag.cell.x) * 100.0 + dx;
         let y = f64::from(tag.cell.y) * 100.0 + dy;
-        let width = tag.text.chars().count() as f64 * 11.0 + 12.0;
+        let width = tag.words_width() + 12.0;
         let scale = match self.detail {
             Detail::All | Detail::Dots => 1.0,
             Detail::Plain => 1.25,

@@ -133,6 +133,11 @@ impl TagShape {
             (_, false) => (50.0, 88.0),
         }
     }
+
+    /// How wide its words are set, in units.
+    pub fn words_width(&self) -> f64 {
+        self.text.chars().count() as f64 * 11.0
+    }
 }
 
 /// What of the rules changes with the time shown.

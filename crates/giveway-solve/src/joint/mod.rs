@@ -8,6 +8,7 @@ mod agent;
 mod event;
 mod memory;
 mod search;
+mod starts;
 mod states;
 mod tally;
 #[cfg(test)]

@@ -10,7 +10,7 @@ use yew::prelude::*;
 use super::super::prose::{Reader, first_sentence};
 use super::super::sight::once;
 use super::super::tutor::{Msg, Tutor};
-use super::{free, hint, hints, is_answered, is_looking, judge, price, solved};
+use super::{before, free, hint, hints, is_answered, is_looking, judge, price, solved};
 use crate::icon;
 
 /// How an answer stands.
@@ -84,6 +84,7 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
     html! {
         <section class="ask-it predicts" aria-labelledby="ex-h">
             <h3 id="ex-h">{ reader.show(&task.say) }</h3>
+            { before(open) }
             if is_free && !answered {
                 { free::show(tutor, open, task, reader) }
             } else if !is_free {

@@ -5,6 +5,7 @@ use giveway_course::learner::{Action, Open};
 use giveway_course::lesson::Value;
 use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::task::Predict;
+use giveway_model::constraint::InForce;
 use giveway_model::{Agent, Constraint, tr};
 use web_sys::HtmlInputElement;
 use yew::prelude::*;
@@ -24,33 +25,36 @@ fn said(place: usize, value: Value, words: Html, reader: Reader<'_>) -> Html {
     }
 }
 
+/// The field of a number, with its button.
+pub(in crate::course) fn number(tutor: &Tutor, reader: Reader<'_>) -> Html {
+    let oninput = reader.send.reform(|event: InputEvent| {
+        let input: HtmlInputElement = event.target_unchecked_into();
+        Msg::Type(input.value())
+    });
+    let number = tutor.typed.trim().parse::<u32>().ok();
+    let send = reader.send.clone();
+    let onsubmit = move |event: SubmitEvent| {
+        event.prevent_default();
+        if let Some(number) = number {
+            send.emit(Msg::Do(Action::Guess(Value::Number(number))));
+        }
+    };
+    html! {
+        <form class="guess" {onsubmit}>
+            <input class="field" type="text" inputmode="numeric" autocomplete="off" aria-labelledby="ex-h"
+                value={tutor.typed.clone()} {oninput} />
+            <button class="btn outline" disabled={number.is_none()}>{ tr!("Say it") }</button>
+            if number.is_none() && !tutor.typed.trim().is_empty() {
+                <p class="quiet" role="status">{ tr!("Type a whole number, such as 12.") }</p>
+            }
+        </form>
+    }
+}
+
 /// A value that is typed, picked from the robots or the rules, or clicked on the board.
 pub(super) fn show(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader<'_>) -> Html {
     match task.what.kind() {
-        ValueKind::Number => {
-            let oninput = reader.send.reform(|event: InputEvent| {
-                let input: HtmlInputElement = event.target_unchecked_into();
-                Msg::Type(input.value())
-            });
-            let number = tutor.typed.trim().parse::<u32>().ok();
-            let send = reader.send.clone();
-            let onsubmit = move |event: SubmitEvent| {
-                event.prevent_default();
-                if let Some(number) = number {
-                    send.emit(Msg::Do(Action::Guess(Value::Number(number))));
-                }
-            };
-            html! {
-                <form class="guess" {onsubmit}>
-                    <input class="field" type="text" inputmode="numeric" autocomplete="off" aria-labelledby="ex-h"
-                        value={tutor.typed.clone()} {oninput} />
-                    <button class="btn outline" disabled={number.is_none()}>{ tr!("Say it") }</button>
-                    if number.is_none() && !tutor.typed.trim().is_empty() {
-                        <p class="quiet" role="status">{ tr!("Type a whole number, such as 12.") }</p>
-                    }
-                </form>
-            }
-        }
+        ValueKind::Number => number(tutor, reader),
         ValueKind::Robot => {
             let one = |(place, agent): (usize, &Agent)| {
                 let value = Value::Robot(agent.name.clone());
@@ -61,14 +65,15 @@ pub(super) fn show(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader<'_
         }
         ValueKind::Rule => {
             let scene = open.scene();
-            let rules = scene.constraints.iter().enumerate();
-            let on = rules.filter(|(place, rule)| rule.in_force(*place, &scene.agents).is_some());
-            let one = |(place, rule): (usize, &Constraint)| {
-                let value = Value::Rule { rule: place as u32 };
-                let words = html! { <><kbd aria-hidden="true">{ place + 1 }</kbd><span>{ rule.sentence() }</span></> };
-                said(place, value, words, reader)
+            let one = |rule: InForce| {
+                let value = Value::Rule {
+                    rule: rule.index as u32,
+                };
+                let sentence = rule.constraint.sentence();
+                let words = html! { <><kbd aria-hidden="true">{ rule.index + 1 }</kbd><span>{ sentence }</span></> };
+                said(rule.index, value, words, reader)
             };
-            html! { <ol class="opts">{ for on.map(one) }</ol> }
+            html! { <ol class="opts">{ for scene.constraints_in_force().map(one) }</ol> }
         }
         ValueKind::Cell => html! { <p class="quiet">{ tr!("Click the cell on the board.") }</p> },
     }

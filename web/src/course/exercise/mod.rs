@@ -2,7 +2,7 @@
 
 mod answers;
 mod change;
-mod free;
+pub(super) mod free;
 mod judge;
 mod order;
 mod price;
@@ -41,6 +41,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) 
             <section class="ex" aria-labelledby="ex-h">
                 <p class="exk" id="ex-h">{ icon::show("edit") }{ tr!("Your turn") }</p>
                 <p class="exq">{ reader.show(task.say()) }</p>
+                { before(open) }
                 { tools(tutor, open, task, reader) }
                 { judge::show(tutor, open, reader) }
                 { hints(open.hints(), reader) }
@@ -48,6 +49,14 @@ pub(super) fn show(tutor: &Tutor, open: &Open, task: &Task, reader: Reader<'_>) 
             </section>
         },
     }
+}
+
+/// What was answered when the step was open before.
+fn before(open: &Open) -> Html {
+    let answer = open.answer_before();
+    answer.map_or_else(Html::default, |answer| {
+        html! { <p class="quiet">{ tr!("Your last answer: {answer}", answer) }</p> }
+    })
 }
 
 /// What is done beside the board.

@@ -24,6 +24,7 @@ pub(super) fn before(open: &Open, task: &Task, reader: Reader<'_>) -> Html {
         <>
             <p class="exw" id="ex-h">{ icon::show("proved") }<b>{ tr!("a verdict" => "Solved") }</b></p>
             <p class="exq">{ reader.show(task.say()) }</p>
+            { super::before(open) }
             if let Some(reason) = reason { <p class="exq">{ reader.show(reason) }</p> }
             <div class="exa"><button type="button" class="btn ghost" onclick={again}>
                 { icon::show("undo") }<span>{ tr!("Do it again") }</span>

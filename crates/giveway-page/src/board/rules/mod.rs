@@ -16,25 +16,30 @@ use crate::rules::Lit;
 use crate::steering::Steering;
 use crate::{Draft, State};
 
+/// Which rules of a draft hold at a time.
+pub fn rules_at(draft: &Draft, time: u32) -> RulesNow {
+    RulesNow {
+        holds: in_force(&draft.scene().constraints, time),
+        ..RulesNow::default()
+    }
+}
+
 /// What of the rules is so at the time shown.
 pub fn rules_now(state: &State, draft: &Rc<Draft>) -> RulesNow {
     let time = state.view.playback.time;
-    let holds = in_force(&draft.scene().constraints, time);
+    let now = rules_at(draft, time);
     if !Rc::ptr_eq(draft, state.world()) {
         // What is broken, and where robots stay, is told of the plan on the other board.
-        return RulesNow {
-            holds,
-            ..RulesNow::default()
-        };
+        return now;
     }
     let broken = crate::rules::broken(state).filter(|violation| Steering::is_now(violation, time));
     let broken = broken.filter_map(|violation| Some(violation.broken.as_ref()?.index as usize));
     let mut broken: Vec<usize> = broken.collect();
     broken.extend(crate::rules::in_clash(state));
     RulesNow {
-        holds,
         broken,
         stays: stays(state, time),
+        ..now
     }
 }
 

@@ -123,7 +123,7 @@ fn the_price_of_a_rule_is_shown_by_both_plans_where_there_is_room() {
         let shown = say(&lesson, ToPage::Show(Box::new(alone.clone())));
         assert!(shown.beside().is_none() && shown.document.mode.audit().is_none());
         assert_eq!(shown.plan().unwrap().path("A2").len(), 4);
-        let words = "Without the rule there is a plan: makespan 3, sum of costs 6, 0 charges.";
+        let words = "Without rule 1 there is a plan: makespan 3, sum of costs 6, 0 charges.";
         assert_eq!(saying(&shown), words);
         let edited = after(&shown, stroke(Tool::Obstacle, &[(2, 0)]));
         assert!(edited.plan().is_none());

@@ -118,7 +118,8 @@ pub(super) fn of_lesson(lesson: &Lesson, state: &State) -> Option<Standing> {
     }
     if let Some(without) = state.plan_in_place() {
         let costs = costs(&without.answer);
-        return say(tr!("Without the rule there is a plan: {costs}.", costs));
+        let n = without.rule + 1;
+        return say(tr!("Without rule {n} there is a plan: {costs}.", n, costs));
     }
     let answer = state.document.fresh_answer();
     let answer = answer.filter(|answer| answer.is_shared && state.audit().is_none())?;

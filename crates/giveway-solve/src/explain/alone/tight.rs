@@ -1,28 +1,22 @@
 //! The sets of agents whose own needs explain a cost: for the makespan a smallest set that needs
 //! as much, and what is left of it with fewer agents; for sums sets that share no agent.
 
+mod meetings;
+
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 use giveway_model::{
     Cost, Plan, Question,
-    check::{check, own_costs},
+    check::own_costs,
     sorting::{set, sort_by_key},
 };
 
 use super::{SubsetBound, needs::Needs};
 use crate::{
     budget::Budget,
-    explain::{
-        ExplainAnswer, Verdict,
-        ask::{names, walks},
-        causes::Refuted,
-        fitting::FittingQuestion,
-        lone_walk::{lone_walk, replaced},
-    },
-    problem::Problem,
-    walk::to_plan,
+    explain::{ExplainAnswer, Verdict, causes::Refuted, fitting::FittingQuestion},
 };
 
 /// Sets that are told.
@@ -269,42 +263,5 @@ impl<'a, 'h> Tightness<'a, 'h> {
         let own = self.needs.own(agents);
         let lost = self.needs.least(agents).zip(own);
         lost.map_or(0, |(least, own)| least.saturating_sub(own))
-    }
-
-    /// The pairs that would meet if one of them took its best way alone, the others as in the plan,
-    /// and how often.
-    fn meetings(&self) -> BTreeMap<BTreeSet<usize>, u32> {
-        let mut meetings = BTreeMap::new();
-        let instance = self.needs.instance();
-        let Ok(problem) = Problem::new(instance, self.budget) else {
-            return meetings;
-        };
-        let Some(mut walks) = walks(instance, &problem, self.here) else {
-            return meetings;
-        };
-        let names = names(instance);
-        let latest = problem.default_horizon(instance.grid());
-        for (agent, name) in names.iter().enumerate() {
-            let Ok(Some(lone)) = lone_walk(&problem, &walks, (agent, latest), self.budget) else {
-                continue;
-            };
-            let Some(own) = walks.get_mut(agent) else {
-                continue;
-            };
-            let own = std::mem::replace(own, lone);
-            let plan = replaced(self.here, name, &to_plan(&problem, &names, &walks));
-            if let Some(walk) = walks.get_mut(agent) {
-                *walk = own;
-            }
-            for violation in check(instance, &plan).violations {
-                let numbers = violation.agents.iter();
-                let numbers = numbers.filter_map(|name| names.iter().position(|it| it == name));
-                let met: BTreeSet<usize> = set(numbers);
-                if met.len() == 2 {
-                    *meetings.entry(met).or_default() += 1;
-                }
-            }
-        }
-        meetings
     }
 }
