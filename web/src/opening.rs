@@ -2,6 +2,7 @@
 
 use giveway_model::Scene;
 use giveway_page::{Action, PlayAction, SolveAction, State, WorkerAction, opening, reduce};
+use giveway_picture::whole;
 use giveway_solve::{Request, Response, SolveRequest};
 
 /// The scene.
@@ -34,11 +35,7 @@ pub(crate) fn solved(state: &State) -> State {
         &asked,
         Action::Worker(WorkerAction::Respond { job, response }),
     );
-    #[expect(
-        clippy::cast_sign_loss,
-        reason = "a conversion of floats saturates, and no time is below 0"
-    )]
-    let step = time() as u32;
+    let step = whole(time());
     reduce(&answered, Action::Play(PlayAction::Reach(step)))
 }
 

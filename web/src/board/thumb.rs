@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use giveway_page::board::{CELL, FloorLook, Mark, MarkKind, Pose};
 use giveway_page::form;
+use giveway_picture::whole;
 use gloo::render::{AnimationFrame, request_animation_frame};
 use yew::prelude::*;
 
@@ -69,7 +70,7 @@ pub(crate) fn Thumb(props: &ThumbProps) -> Html {
     html! {
         <svg class="map d-forms" viewBox={format!("-6 -6 {} {}", 100 * width + 12, 100 * height + 12)} aria-hidden="true">
             { part::<FloorShapes>(FloorProps { draft: Rc::clone(&film.draft), look: FloorLook::of(CELL_PX), used_by: None::<Rc<_>> }) }
-            { rules::on_small(&film.draft, time as u32) }
+            { rules::on_small(&film.draft, whole(time)) }
             { for (0..film.ways.len()).map(|index| way(film, index, time)) }
             { for film.marks.iter().map(flag) }
             { for robots.iter().filter(|(_, pose)| !pose.is_gone).map(|(index, pose)| robot(*index, pose, &robots)) }

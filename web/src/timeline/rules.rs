@@ -81,7 +81,7 @@ fn stretch(of: &Stretch, top: f64, axis: Axis, send: &Callback<Action>) -> Html 
     let (begin, end) = gap(of, left, width, axis);
     let middle = f64::midpoint(begin, end);
     let fits = ((end - begin - 12.0) / LETTER).max(0.0);
-    let room = giveway_page::timeline::whole(fits) as usize;
+    let room = giveway_picture::whole(fits) as usize;
     // What has no room is cut off: what is seen is a part of the name, or nothing.
     let text: String = if of.text.chars().count() > room && room < LEAST {
         String::new()

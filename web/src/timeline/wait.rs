@@ -1,8 +1,9 @@
 //! While no plan is there: what is proved, what is found, and the gap between.
 
 use giveway_model::tr;
-use giveway_page::timeline::{Gauge, Row, gauge, whole, work_done};
+use giveway_page::timeline::{Gauge, Row, gauge, work_done};
 use giveway_page::{Draft, Solving, words};
+use giveway_picture::whole;
 use gloo::timers::callback::Interval;
 use yew::prelude::*;
 

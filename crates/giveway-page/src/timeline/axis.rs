@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use giveway_picture::whole;
+
 /// The least width of a column, in pixels.
 pub const MIN_COLUMN: f64 = 5.0;
 /// Columns narrower than this have no room for steps one by one, in pixels.
@@ -78,20 +80,6 @@ impl Axis {
         }
         labels
     }
-}
-
-/// A number rounded down; 0 for one below.
-///
-/// ```
-/// use giveway_page::timeline::whole;
-/// assert_eq!((whole(2.9), whole(-1.0)), (2, 0));
-/// ```
-#[allow(
-    clippy::cast_sign_loss,
-    reason = "what is below 0 becomes 0, as it should"
-)]
-pub const fn whole(x: f64) -> u32 {
-    x as u32
 }
 
 #[cfg(test)]

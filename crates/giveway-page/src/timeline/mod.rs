@@ -8,7 +8,7 @@ mod names;
 mod row;
 mod shapes;
 
-pub use axis::{Axis, MIN_COLUMN, whole};
+pub use axis::{Axis, MIN_COLUMN};
 pub use gauge::{Gauge, gauge, work_done};
 pub use lane::{Lane, Step, Turn, Way};
 pub use names::{ShownName, shown_names};

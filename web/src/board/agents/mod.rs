@@ -8,8 +8,8 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use giveway_page::board::{Badge, Cast, Detail, Side, TurnSide, sides};
-use giveway_page::timeline::whole;
 use giveway_page::{Draft, Point, form};
+use giveway_picture::whole;
 use web_sys::Element;
 use yew::prelude::*;
 

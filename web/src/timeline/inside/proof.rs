@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_model::tr;
 use giveway_page::Action;
 use giveway_page::inside::{InsideAction, Kind, ProofRow, chart, rows};
-use giveway_page::timeline::whole;
+use giveway_picture::whole;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::closure::Closure;
 use web_sys::{Element, HtmlElement, ResizeObserver};

@@ -4,7 +4,8 @@ mod watch;
 
 use std::ops::Range;
 
-use giveway_page::timeline::{Axis, MIN_COLUMN, whole};
+use giveway_page::timeline::{Axis, MIN_COLUMN};
+use giveway_picture::whole;
 use web_sys::Element;
 use yew::NodeRef;
 

@@ -4,11 +4,11 @@
 use std::fmt::Write as _;
 
 use giveway_model::tr;
+use giveway_picture::whole;
 use giveway_solve::trace::SearchEvent;
 
 use super::rows::{Known, known};
 use super::{chosen, steps, trace};
-use crate::timeline::whole;
 use crate::{State, words};
 
 /// Around the lines, in pixels: left, right, above, below.

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::timeline::{Turn, whole};
+use giveway_picture::whole;
+
+use crate::timeline::Turn;
 
 /// A rectangle with round corners.
 pub(crate) fn rounded(path: &mut String, left: f64, top: f64, width: f64, tall: f64, radius: f64) {
