@@ -3,12 +3,14 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
+import { solveAtOnce } from "../measure/watch.mjs";
 import { BOTH, flows } from "./flow.mjs";
 import { open } from "./browser.mjs";
 import { Playground } from "./page.mjs";
 import { eventually } from "./wait.mjs";
 
 const LATER = /\/app-[0-9a-f]+_later\.wasm$/;
+const SOLVER = /\/solver-[0-9a-f]+_bg\.wasm$/;
 
 describe("the later part of the page's program", () => {
   const flow = flows();
@@ -24,6 +26,25 @@ describe("the later part of the page's program", () => {
     await playground.says(/^Optimal: /);
     await playground.board.hover();
     // It was asked for ahead of time, and could not be had.
+    const others = complaints.filter((complaint) => !/_later\.wasm|Service Worker/.test(complaint));
+    assert.deepEqual(others, []);
+    assert.equal(await page.getByRole("alertdialog").count(), 0);
+    await context.close();
+  }, { fresh: true, screens: ["desktop"], complains: true });
+
+  flow("is not needed to solve while the solver is still on its way", async (_, { context: around, host }) => {
+    const browser = around.browser();
+    const { context, page, complaints } = await open(browser, { serviceWorkers: "block" });
+    await page.route(LATER, (route) => route.abort());
+    await page.route(SOLVER, async (route) => {
+      await page.waitForTimeout(2500);
+      await route.continue();
+    });
+    await page.addInitScript(solveAtOnce);
+    await page.addInitScript(() => { window.seen = {}; });
+    const playground = new Playground(page);
+    await playground.goto(host.url);
+    await eventually("an answer", () => page.evaluate(() => window.seen.solved), Boolean, 20_000);
     const others = complaints.filter((complaint) => !/_later\.wasm|Service Worker/.test(complaint));
     assert.deepEqual(others, []);
     assert.equal(await page.getByRole("alertdialog").count(), 0);
