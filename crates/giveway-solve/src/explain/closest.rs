@@ -13,7 +13,7 @@ use crate::{
     budget::Budget,
     impose::{ImposeError, limit_costs},
     problem::{Problem, ProblemError, Relaxed},
-    search::{Bounded, Extent, GivenWalk, Horizon, Proved, closest as search_closest},
+    search::{Bounded, ClosestEnd, Extent, GivenWalk, Horizon, Proved, closest as search_closest},
     walk::to_plan,
 };
 use giveway_model::sorting::{map, sort};
@@ -21,27 +21,44 @@ use giveway_model::sorting::{map, sort};
 /// Clauses that it may derive, and seconds that it may take.
 const DERIVED: u64 = 20_000;
 const SECONDS: f64 = 3.0;
-/// Seconds that it may take where it is not known whether any plan costs so little.
+/// The same where it is not known whether any plan costs so little: to refute all takes more.
+const DERIVED_FOR_ANY: u64 = 60_000;
 const SECONDS_FOR_ANY: f64 = 1.5;
 
-/// Of the plans that are as asked for and cost as much as given, that which is closest to the plan
-/// asked about, and whether that is proved; `None` where none was found.
-pub(crate) fn as_cheap_as(
-    case: &FittingQuestion,
-    costs: Costs,
-    budget: &Rc<Budget>,
-) -> Option<(Plan, bool)> {
+/// Whether a plan that is as asked for costs no more than another.
+pub(crate) enum AsCheap {
+    /// One does: the closest to the plan asked about that was found, and whether none is closer.
+    Plan(Plan, bool),
+    /// None has so little of each cost.
+    None(Proved),
+    /// It was not found out.
+    Unknown,
+}
+
+/// Of the plans that are as asked for and cost as much as given, looks for that which is closest to
+/// the plan asked about.
+pub(crate) fn as_cheap_as(case: &FittingQuestion, costs: Costs, budget: &Rc<Budget>) -> AsCheap {
     let part = Rc::new(
         budget
             .part(Limits {
                 seconds: Some(SECONDS_FOR_ANY),
                 ..Limits::default()
             })
-            .with_derived(DERIVED),
+            .with_derived(DERIVED_FOR_ANY),
     );
-    let (nearest, proved) = nearest(case, costs, None, &part);
+    let (nearest, all) = nearest(case, costs, None, &part);
     budget.absorb(&part);
-    nearest.map(|(_, plan)| (plan, proved))
+    match (nearest, all) {
+        (Some((_, plan)), all) => AsCheap::Plan(plan, all.is_closest),
+        (
+            None,
+            All {
+                refuted: Some(proved),
+                ..
+            },
+        ) => AsCheap::None(proved),
+        (None, _) => AsCheap::Unknown,
+    }
 }
 
 /// Of the plans that cost as much as the best other one, that which is closest
@@ -60,47 +77,67 @@ pub(crate) fn closest(
             .with_derived(DERIVED),
     );
     let known = (distance(case, best.0), best.0.clone());
-    let (nearest, proved) = nearest(case, best.1, Some(known), &part);
+    let (nearest, all) = nearest(case, best.1, Some(known), &part);
     budget.absorb(&part);
     let plan = nearest.map_or_else(|| best.0.clone(), |(_, plan)| plan);
-    (plan, proved)
+    (plan, all.is_closest)
 }
 
 /// A plan with its distance from the plan asked about.
 type Near = ((usize, usize), Plan);
 
-/// The closest plan of all alternatives of the contrast and of a known one, and whether none of
-/// these costs is closer.
+/// What is known of all alternatives of a contrast.
+struct All {
+    /// No plan of these costs is closer.
+    is_closest: bool,
+    /// How far it is proved that no plan has so little of each cost, if it is.
+    refuted: Option<Proved>,
+}
+
+/// The closest plan of all alternatives of the contrast and of a known one.
 fn nearest(
     case: &FittingQuestion,
     costs: Costs,
     known: Option<Near>,
     budget: &Rc<Budget>,
-) -> (Option<Near>, bool) {
-    let mut proved = true;
+) -> (Option<Near>, All) {
+    let mut is_closest = true;
+    let mut refuted: Vec<Option<Proved>> = Vec::new();
     let mut nearest = known;
     for condition in case.conditions() {
         match with(case, condition, costs, budget) {
             BranchOutcome::Plan(plan, is_proved) => {
-                proved &= is_proved;
+                is_closest &= is_proved;
+                refuted.push(None);
                 let distance = distance(case, &plan);
                 if nearest.as_ref().is_none_or(|(least, _)| distance < *least) {
                     nearest = Some((distance, plan));
                 }
             }
-            BranchOutcome::None => {}
-            BranchOutcome::Unknown => proved = false,
+            BranchOutcome::None(proved) => refuted.push(proved),
+            BranchOutcome::Unknown => {
+                is_closest = false;
+                refuted.push(None);
+            }
         }
     }
-    (nearest, proved)
+    let refuted = refuted.into_iter().reduce(|all, one| Some(all?.and(one?)));
+    let refuted = refuted.flatten();
+    (
+        nearest,
+        All {
+            is_closest,
+            refuted,
+        },
+    )
 }
 
 /// The result for one of the alternatives that a condition allows.
 enum BranchOutcome {
     /// A plan, and whether none is closer.
     Plan(Plan, bool),
-    /// None costs so little.
-    None,
+    /// None costs so little; how far that is proved by a search, if it is.
+    None(Option<Proved>),
     Unknown,
 }
 
@@ -114,7 +151,7 @@ fn with(
     let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget);
     let problem = match problem {
         Ok(problem) => problem,
-        Err(ImposeError::Problem(ProblemError::Alone(..))) => return BranchOutcome::None,
+        Err(ImposeError::Problem(ProblemError::Alone(..))) => return BranchOutcome::None(None),
         Err(_) => return BranchOutcome::Unknown,
     };
     let grid = instance.grid();
@@ -129,7 +166,7 @@ fn with(
     let objective = case.objective().costs().iter();
     let mut limits = map(objective.map(|&cost| (cost, costs.get(cost))));
     if limit_costs(condition, &mut limits).is_err() {
-        return BranchOutcome::None;
+        return BranchOutcome::None(None);
     }
     let Some(before) = before(&problem, instance, case.plan) else {
         return BranchOutcome::Unknown;
@@ -137,12 +174,12 @@ fn with(
     let bounded = Bounded { horizon, limits };
     if (0..problem.agents()).any(|a| problem.optima[a] > problem.not_after(a).min(horizon.latest()))
     {
-        return BranchOutcome::None;
+        return BranchOutcome::None(None);
     }
     match search_closest(&problem, &before, &bounded, Extent::Entries, budget) {
-        Ok(None) => BranchOutcome::None,
+        Ok(ClosestEnd::NoPlan(proved)) => BranchOutcome::None(proved),
         Err(_) => BranchOutcome::Unknown,
-        Ok(Some(close)) => {
+        Ok(ClosestEnd::Plan(close)) => {
             let names = names(instance);
             let mut plan = to_plan(&problem, &names, &close.walks);
             for (name, same) in names.iter().zip(close.same) {

@@ -15,7 +15,7 @@ use std::rc::Rc;
 use super::{
     aim::Bounded,
     deadlines::Keeping,
-    for_ever::{self, Proved},
+    for_ever::{self, ForEver, NoPlan, Proved},
     incumbent::Incumbent,
     stage::{Search, Subject},
 };
@@ -55,13 +55,30 @@ pub(crate) struct ClosestPlan {
     pub(crate) proved: Option<Proved>,
 }
 
+/// How a search for the closest plan ended.
+pub(crate) enum ClosestEnd {
+    /// With a plan.
+    Plan(ClosestPlan),
+    /// No plan keeps the limits; how far that is proved, if it is.
+    NoPlan(Option<Proved>),
+}
+
+impl ClosestEnd {
+    /// The plan, if there is one.
+    pub(crate) fn plan(self) -> Option<ClosestPlan> {
+        match self {
+            Self::Plan(plan) => Some(plan),
+            Self::NoPlan(_) => None,
+        }
+    }
+}
+
 /// The proof that no plan within the limits is closer. Only the search for the
 /// closest one makes it, when it has come to its end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NoneCloser(());
 
-/// The closest plan within the limits, which the best plan meets; `None` where
-/// the budget ran out before any was found.
+/// The closest plan within the limits, or that there is none.
 ///
 /// # Errors
 /// When the budget is spent before there is any.
@@ -71,7 +88,7 @@ pub(crate) fn closest(
     bounded: &Bounded,
     extent: Extent,
     budget: &Rc<Budget>,
-) -> Result<Option<ClosestPlan>, Stop> {
+) -> Result<ClosestEnd, Stop> {
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
     let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_, _| {});
@@ -91,13 +108,14 @@ pub(crate) fn closest(
         written: vec![WrittenClauses::default(); agents],
         differs: BTreeMap::new(),
     };
-    let Some(shown) = near.find(bounded)? else {
-        return Ok(None);
+    let shown = match near.find(bounded)? {
+        FewAgents::Found(shown) => shown,
+        FewAgents::NoPlan(proved) => return Ok(ClosestEnd::NoPlan(proved)),
     };
     let mut close = near.read();
     if extent == Extent::Agents {
         close.proved = near.reach(Some(shown));
-        return Ok(Some(close));
+        return Ok(ClosestEnd::Plan(close));
     }
     let shown = match near.few_entries(&mut close) {
         Ok(shown) => shown,
@@ -105,7 +123,14 @@ pub(crate) fn closest(
         Err(_) => None, // what was found until then is only better
     };
     close.proved = near.reach(shown);
-    Ok(Some(close))
+    Ok(ClosestEnd::Plan(close))
+}
+
+/// Whether there is a plan, and that none has fewer agents that do something else.
+enum FewAgents {
+    Found(NoneCloser),
+    /// How far it is proved that there is none, if it is.
+    NoPlan(Option<Proved>),
 }
 
 /// The given walk of an inside agent, as nodes of its MDD.
@@ -126,14 +151,25 @@ struct Near<'p, 'h> {
 }
 
 impl Near<'_, '_> {
-    /// Finds a plan in which as few agents as can be do something else; `None`
-    /// where there is none.
-    fn find(&mut self, bounded: &Bounded) -> Result<Option<NoneCloser>, Stop> {
-        if self.search.keep_limits(bounded)?.is_some() {
-            return Ok(None);
+    /// Finds a plan in which as few agents as can be do something else.
+    fn find(&mut self, bounded: &Bounded) -> Result<FewAgents, Stop> {
+        if let Some(too_low) = self.search.keep_limits(bounded)? {
+            return Ok(self.no_plan(Some(too_low.into())));
         }
         let softs = self.begin(bounded)?;
-        self.few_agents(softs)
+        match self.few_agents(softs)? {
+            Ok(shown) => Ok(FewAgents::Found(shown)),
+            Err(core) if self.is_exact() => {
+                let reason = for_ever::impossible(&self.search, bounded, &core)?;
+                Ok(self.no_plan(reason))
+            }
+            Err(_) => Ok(FewAgents::NoPlan(None)),
+        }
+    }
+
+    /// There is no plan: up to the horizon, or at every one for a reason.
+    fn no_plan(&self, reason: Option<ForEver<NoPlan>>) -> FewAgents {
+        FewAgents::NoPlan(Some(Proved::new(reason, self.search.latest())))
     }
 
     /// The plan of the last model.

@@ -34,7 +34,7 @@ pub(super) fn disturb_few(
         limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
     let near = closest(problem, &before, &bounded, Extent::Agents, &case.budget);
-    let near = near.ok().flatten()?;
+    let near = near.ok()?.plan()?;
     // Plans as good end no later (the makespan is in every objective here), so that as far as the
     // search looked is far enough.
     Some((near.walks, near.same, near.proved.is_some()))

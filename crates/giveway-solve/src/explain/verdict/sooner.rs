@@ -14,7 +14,7 @@ use crate::{
     explain::{
         Verdict,
         ask::{Start, best_from},
-        closest::as_cheap_as,
+        closest::{AsCheap, as_cheap_as},
     },
     search::EarlierOptima,
 };
@@ -100,10 +100,10 @@ pub(super) fn sooner(
     budget.absorb(&part);
     match of_first {
         FirstCost::Above(compared) => return Some(*compared),
-        FirstCost::Same => return by_closest(case, budget),
+        FirstCost::Same => return by_closest(case, known.as_ref(), budget),
         FirstCost::Unknown => {}
     }
-    if let Some(compared) = by_closest(case, budget) {
+    if let Some(compared) = by_closest(case, known.as_ref(), budget) {
         return Some(compared);
     }
     match by_first_cost(case, known, budget) {
@@ -168,18 +168,39 @@ fn by_first_cost(
     }))
 }
 
-/// The verdict by a plan that costs the same and is closest to the plan, where that is proved to
-/// be a best one: few agents have to change for it, so it is found sooner than any best plan.
-fn by_closest(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Compared> {
-    let reach = case.optimal?;
-    let (plan, is_closest) = as_cheap_as(case, case.costs, budget)?;
-    let costs = costs(case.instance, &plan)?;
-    Some(Compared {
-        verdict: Verdict::Needless,
-        deltas: case.deltas(&costs),
-        other: Some((plan, costs)),
-        reach: Some(reach),
-        is_open: false,
-        closest: Some(is_closest),
-    })
+/// The verdict by the plans that cost the same as the plan, where that is proved to be a best one.
+/// One that is closest to it shows that it need not be so: few agents have to change for it, so it
+/// is found sooner than any best plan. Where there is none, each plan that is as asked for costs
+/// more, as the `known` one does.
+fn by_closest(
+    case: &FittingQuestion,
+    known: Option<&(Plan, Costs)>,
+    budget: &Rc<Budget>,
+) -> Option<Compared> {
+    let best = case.optimal?;
+    match as_cheap_as(case, case.costs, budget) {
+        AsCheap::Plan(plan, is_closest) => {
+            let costs = costs(case.instance, &plan)?;
+            Some(Compared {
+                verdict: Verdict::Needless,
+                deltas: case.deltas(&costs),
+                other: Some((plan, costs)),
+                reach: Some(best),
+                is_open: false,
+                closest: Some(is_closest),
+            })
+        }
+        AsCheap::None(proved) => {
+            let (plan, costs) = known?;
+            Some(Compared {
+                verdict: Verdict::Costly,
+                deltas: case.deltas(costs),
+                other: Some((plan.clone(), *costs)),
+                reach: Some(proved.and(best)),
+                is_open: true,
+                closest: None,
+            })
+        }
+        AsCheap::Unknown => None,
+    }
 }

@@ -10,7 +10,7 @@ use crate::{
     encode::collisions::AgentId,
     sat::{Lit, Sat},
     search::{
-        growing::{Growing, Until},
+        growing::{AssumptionCore, Growing, Until},
         oll::{Formula, Kept, Level, Oll},
     },
 };
@@ -58,11 +58,11 @@ impl Kept<Near<'_, '_>> for AsBefore {
 }
 
 impl Near<'_, '_> {
-    /// As few agents as can be do something else; `None` where there is no plan.
+    /// As few agents as can be do something else; the refutation where there is no plan.
     pub(super) fn few_agents(
         &mut self,
         mut oll: Oll<AsBefore>,
-    ) -> Result<Option<NoneCloser>, Stop> {
+    ) -> Result<Result<NoneCloser, AssumptionCore>, Stop> {
         loop {
             self.extend()?;
             let assumptions = oll.assumptions(false);
@@ -72,12 +72,12 @@ impl Near<'_, '_> {
                 }
                 Growing::Model => break,
                 Growing::Grown(_) => {}
-                Growing::Core(core) if core.lits().is_empty() => return Ok(None),
+                Growing::Core(core) if core.lits().is_empty() => return Ok(Err(core)),
                 Growing::Core(core) => oll.add_core(self, core.lits())?,
             }
         }
         // Agents that change in every plan with so few changes have been named.
         oll.harden(self);
-        Ok(Some(NoneCloser(())))
+        Ok(Ok(NoneCloser(())))
     }
 }
