@@ -4,9 +4,8 @@ use giveway_model::Cost;
 use giveway_model::check::check_changes;
 use giveway_model::format::native;
 use giveway_solve::change::Method;
-use giveway_tests::wrong::plan;
 
-use super::{answer, changes, optimal, request, request_of};
+use super::{answer, optimal, request_of};
 
 /// An agent that stands at its goal and was to go on, and stays for good after
 /// all, arrived when it came; if it goes on, it has waited.

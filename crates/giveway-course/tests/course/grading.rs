@@ -242,22 +242,6 @@ fn another_edition_is_told() {
     assert!(words.starts_with("of another edition"), "{words}");
 }
 
-/// A class that is judged up to the next question.
-trait StepToAsk {
-    fn step_to_ask(&mut self) -> Next;
-}
-
-impl StepToAsk for Class {
-    fn step_to_ask(&mut self) -> Next {
-        loop {
-            match self.step() {
-                Next::Again => {}
-                next => return next,
-            }
-        }
-    }
-}
-
 #[test]
 fn no_cell_of_the_table_is_a_formula() {
     let (lesson, mut class) = room();

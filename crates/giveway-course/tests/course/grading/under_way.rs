@@ -7,10 +7,25 @@ use giveway_course::handin::{Work, write};
 use giveway_course::learner::AskNumber;
 use giveway_solve::{Response, SilentHost, serve};
 
-use super::super::handins::{handed, solved, work};
+use super::super::handins::{handed, solved};
 use super::super::judges;
-use super::super::tasks::answers;
 use super::{guess, judge, room};
+
+/// A class that is judged up to the next question.
+trait StepToAsk {
+    fn step_to_ask(&mut self) -> Next;
+}
+
+impl StepToAsk for Class {
+    fn step_to_ask(&mut self) -> Next {
+        loop {
+            match self.step() {
+                Next::Again => {}
+                next => return next,
+            }
+        }
+    }
+}
 
 #[test]
 fn it_is_cancelled_and_gone_on_with() {

@@ -2,7 +2,7 @@
 
 use giveway_course::handin::{HandIn, Sum, hand_in, link, read, write};
 use giveway_course::learner::Progress;
-use giveway_course::lesson::{Id, Value, translated};
+use giveway_course::lesson::{Id, translated};
 
 use super::super::schema::with_definition;
 use super::super::{judges, shipped};

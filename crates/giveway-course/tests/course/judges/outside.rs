@@ -6,7 +6,7 @@ use giveway_model::{Agent, Cell, Path, Plan, Scene};
 use giveway_solve::{SilentHost, serve};
 use serde_json::json;
 
-use super::{crossing, judged, lesson, painted, scene, set, told};
+use super::{crossing, judged, lesson, painted, scene, set};
 
 #[test]
 fn edits_outside_of_the_task_are_not_like_this() {

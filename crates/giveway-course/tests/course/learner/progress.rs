@@ -7,7 +7,7 @@ use giveway_course::lesson::{Id, Value};
 use giveway_course::port::{BoardNumber, FromPage, Happened, ToPage};
 
 use super::super::shipped;
-use super::{answered, asked, board, id, opened, painted, said};
+use super::{answered, board, id, opened, painted, said};
 
 #[test]
 fn the_course_goes_on_with_what_was_begun_then_with_what_is_new() {

@@ -10,7 +10,7 @@ use giveway_model::Cell;
 use giveway_solve::{Request, Response, SilentHost, serve};
 
 use super::super::shipped;
-use super::{asked, board, id, said};
+use super::{id, said};
 
 /// What is left of an effect in the outer world of a random test.
 struct World {
