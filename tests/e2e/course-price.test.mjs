@@ -55,6 +55,9 @@ describe("the price of a rule in a lesson", () => {
     await opens(playground, "rules-of-the-road.2", "What does a limit cost?");
     await playground.key("p");
     const third = page.locator(".third:visible");
+    await third.getByRole("textbox").fill("1");
+    await third.getByRole("button", { name: "Say it" }).click();
+    await third.getByRole("button", { name: "Guess again" }).click();
     await third.getByRole("textbox").fill("2");
     await third.getByRole("button", { name: "Say it" }).click();
     await third.getByText("Solved").waitFor();

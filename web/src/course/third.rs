@@ -8,7 +8,7 @@ use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::{Step, Task, Text};
 use yew::prelude::*;
 
-use super::exercise::{free, is_answered};
+use super::exercise::{answers, free, is_answered};
 use super::prose::{Reader, first_sentence};
 use super::tutor::Tutor;
 
@@ -34,15 +34,15 @@ pub(super) fn show(tutor: &Tutor, open: &Open, step: &Step, reader: Reader<'_>) 
         <section class="third" aria-live="polite">
             <h2>{ step.title.clone() }</h2>
             <p>{ reader.still(text.spans()) }</p>
-            { answers(open, step.task.as_ref(), reader) }
-            { unsaid(tutor, open, step.task.as_ref(), reader) }
+            { listed(open, step.task.as_ref(), reader) }
+            { to_say(tutor, open, step.task.as_ref(), reader) }
             { judged.unwrap_or_default() }
         </section>
     }
 }
 
 /// The answers to choose from, by their keys.
-fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
+fn listed(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
     let texts: Vec<&Text> = match task {
         Some(Task::Predict(task)) => task.answers.iter().map(|answer| &answer.text).collect(),
         Some(Task::Choose(task)) => task.answers.iter().map(|answer| &answer.text).collect(),
@@ -82,19 +82,21 @@ fn answers(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
     html! { <ol>{ for list }</ol> }
 }
 
-/// What a prediction without answers to pick from is said by, until it is said: a field, or
-/// the robots or rules by their keys.
-fn unsaid(tutor: &Tutor, open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
-    let kind = match task {
-        Some(Task::Predict(task)) if task.answers.is_empty() => task.what.kind(),
-        _ => return html! {},
+/// What a prediction without answers to pick from is said by: a field, or the robots or rules by
+/// their keys. What takes a wrong one back.
+fn to_say(tutor: &Tutor, open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
+    let Some(Task::Predict(task)) = task else {
+        return html! {};
     };
     if is_answered(open) {
+        return html! { if !open.is_solved() { <p>{ answers::again(reader) }</p> } };
+    }
+    if !task.answers.is_empty() {
         return html! {};
     }
     let row = |place: usize, words: Html| html! { <li><kbd>{ place + 1 }</kbd><span>{ words }</span></li> };
     let scene = open.scene();
-    match kind {
+    match task.what.kind() {
         ValueKind::Number => free::number(tutor, reader),
         ValueKind::Robot => {
             let robots = scene.agents.iter().enumerate();

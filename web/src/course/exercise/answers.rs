@@ -108,6 +108,11 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
     }
 }
 
+/// Takes a wrong guess back.
+pub(in crate::course) fn again(reader: Reader<'_>) -> Html {
+    html! { <button type="button" class="link" onclick={once(reader.send, || Msg::Do(Action::Afresh))}>{ tr!("Guess again") }</button> }
+}
+
 /// What is said once the answer is on the table: to the guess first, then why it is so.
 fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
     let (Some(verdict), Some(step)) = (open.judge().verdict(), open.step()) else {
@@ -143,9 +148,7 @@ fn outcome(tutor: &Tutor, open: &Open, reader: Reader<'_>) -> Html {
             if verdict.is_solved() { <p class="exw">{ icon::show("proved") }<b>{ tr!("a verdict" => "Solved") }</b></p> }
             if is_reply || !shows_right || step.reason.is_none() { <p>{ reader.show(&said) }</p> }
             if let Some(reason) = &step.reason { <p>{ reader.show(reason) }</p> }
-            if !verdict.is_solved() {
-                <p><button type="button" class="link" onclick={once(reader.send, || Msg::Do(Action::Afresh))}>{ tr!("Guess again") }</button></p>
-            }
+            if !verdict.is_solved() { <p>{ again(reader) }</p> }
         </div>
     }
 }

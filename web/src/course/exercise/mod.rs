@@ -1,6 +1,6 @@
 //! What there is to do in a step: the task, what the judge says of it, hints.
 
-mod answers;
+pub(super) mod answers;
 mod change;
 pub(super) mod free;
 mod judge;
