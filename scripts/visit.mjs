@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { launch, open } from "../tests/e2e/browser.mjs";
 import { root } from "../tests/e2e/dist.mjs";
 import { serve } from "../tests/e2e/server.mjs";
-import { slowDown } from "../tests/measure/network.mjs";
+import { slowDown, slowSolver } from "../tests/measure/network.mjs";
 import { assemble } from "./page/assemble.mjs";
 import { compile } from "./page/compile.mjs";
 import { listOf } from "./page/later.mjs";
@@ -20,6 +20,8 @@ const WAITING = 120_000;
 const PROGRAMS = ["app", "solver"];
 /** How much slower a machine may be. */
 const SLOW = 8;
+/** How much slower its solver: what a search of some milliseconds took is told in seconds, too. */
+const SLOWER_SOLVER = 100;
 /** From how many bytes on a function is listed by its own name. */
 const LARGE = 80;
 /** The number of one of several copies of a function, which every build gives anew. */
@@ -61,6 +63,7 @@ async function visit(options, { atOnce = false, rate = 1 } = {}) {
   await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate });
   if (rate > 1) {
     await page.addInitScript(slowDownWorkers);
+    await slowSolver(page, SLOWER_SOLVER);
   }
   if (atOnce) {
     await slowDown(context, page);

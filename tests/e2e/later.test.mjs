@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { describe } from "node:test";
 
+import { slowSolver } from "../measure/network.mjs";
 import { solveAtOnce } from "../measure/watch.mjs";
 import { BOTH, flows } from "./flow.mjs";
 import { open } from "./browser.mjs";
@@ -32,7 +33,7 @@ describe("the later part of the page's program", () => {
     await context.close();
   }, { fresh: true, screens: ["desktop"], complains: true });
 
-  flow("is not needed to solve while the solver is still on its way", async (_, { context: around, host }) => {
+  flow("is not needed to solve at once, on a slow machine", async (_, { context: around, host }) => {
     const browser = around.browser();
     const { context, page, complaints } = await open(browser, { serviceWorkers: "block" });
     await page.route(LATER, (route) => route.abort());
@@ -40,8 +41,9 @@ describe("the later part of the page's program", () => {
       await page.waitForTimeout(2500);
       await route.continue();
     });
-    await page.addInitScript(solveAtOnce);
+    await slowSolver(page, 100);
     await page.addInitScript(() => { window.seen = {}; });
+    await page.addInitScript(solveAtOnce);
     const playground = new Playground(page);
     await playground.goto(host.url);
     await eventually("an answer", () => page.evaluate(() => window.seen.solved), Boolean, 20_000);
