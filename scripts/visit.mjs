@@ -40,6 +40,7 @@ for (const options of [{}, { welcome: true, theme: "dark" }, { ...devices["Pixel
   await visit(options);
   await visit(options, { atOnce: true });
   await visit(options, { rate: SLOW });
+  await visit(options, { rate: SLOW, slower: SLOWER_SOLVER });
 }
 await breakDown();
 await browser.close();
@@ -56,14 +57,15 @@ for (const name of PROGRAMS) {
 
 /**
  * The playground is opened, plays, solves, and is looked at; `atOnce`: on a slow network, where nobody waits for it; `rate`:
- * on a machine that is so many times slower, where each piece of what a search tells on its way is shown.
+ * on a machine that is so many times slower, where each piece of what a search tells on its way is shown; `slower`: so are the
+ * times that the solver tells.
  */
-async function visit(options, { atOnce = false, rate = 1 } = {}) {
+async function visit(options, { atOnce = false, rate = 1, slower = 1 } = {}) {
   const { context, page } = await open(browser, { serviceWorkers: "block", ...options });
   await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate });
   if (rate > 1) {
     await page.addInitScript(slowDownWorkers);
-    await slowSolver(page, SLOWER_SOLVER);
+    await slowSolver(page, slower);
   }
   if (atOnce) {
     await slowDown(context, page);
