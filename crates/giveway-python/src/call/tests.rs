@@ -1,3 +1,5 @@
+//! Requests that are refused, each with its place.
+
 use giveway_solve::SilentHost;
 
 use super::*;
