@@ -73,34 +73,34 @@ function solving(url) {
   });
 }
 
-function bound(url) {
-  return inPage(url, async (playground) => {
-    await openA05(playground);
-    const times = [];
-    for (let time = 0; time < TIMES; time += 1) {
-      times.push(await playground.page.evaluate(solveUntil, " is at least "));
-      await playground.says(SOLVED);
-    }
-    return [figure("from Solve to the first bound, 10 agents (A05), warm", middle(times), "ms", { most: 200 })];
-  });
+/** Each time in a page of its own: what was proved of a scene once is not proved again. */
+async function bound(url) {
+  const times = [];
+  for (let time = 0; time < TIMES; time += 1) {
+    times.push(await inPage(url, async (playground) => {
+      await openA05(playground);
+      return playground.page.evaluate(solveUntil, "is at least|^Solving: (?!no bound)|^Optimal: ");
+    }));
+  }
+  return [figure("from Solve to the first bound, 10 agents (A05), warm", middle(times), "ms", { most: 200 })];
 }
 
-function proof(url) {
-  return inPage(url, async (playground, browser) => {
-    await openA05(playground);
-    const tab = await Tab.of(browser);
-    const cpu = [];
-    const times = [];
-    for (let time = 0; time < TIMES; time += 1) {
+async function proof(url) {
+  const cpu = [];
+  const times = [];
+  for (let time = 0; time < TIMES; time += 1) {
+    await inPage(url, async (playground, browser) => {
+      await openA05(playground);
+      const tab = await Tab.of(browser);
       const before = tab.workerSeconds();
       times.push((await playground.page.evaluate(solveUntil, "^Optimal: makespan 31, sum of costs 254, 10 charges")) / 1000);
       cpu.push(tab.workerSeconds() - before);
-    }
-    return [
-      figure("A05 proved in the worker", middle(cpu), "s of CPU", { most: 1, digits: 2 }),
-      figure("from Solve to the proof of A05, seen", middle(times), "s", { most: 1.5, digits: 2 }),
-    ];
-  });
+    });
+  }
+  return [
+    figure("A05 proved in the worker", middle(cpu), "s of CPU", { most: 1, digits: 2 }),
+    figure("from Solve to the proof of A05, seen", middle(times), "s", { most: 1.5, digits: 2 }),
+  ];
 }
 
 async function openA05(playground) {
@@ -127,7 +127,7 @@ function memory(url) {
     let most = 0;
     await eventually("the end of the solve", () => {
       most = Math.max(most, tab.bytes());
-      return playground.button("Solve").isVisible();
+      return playground.button("Solve").or(playground.button("Go on")).first().isVisible();
     }, Boolean, 120_000);
     most = Math.max(most, tab.bytes());
     return [figure("memory of the tab at most, 1000 agents on 256 x 256 cells, opened and solved for 30 s", most / 1e6, "MB", { most: 600 })];
