@@ -1,5 +1,6 @@
 // What a first visit runs of the page's programs: `./x visit` writes scripts/page/later/, whenever much of the page has
-// changed. What is not listed there comes with the first part, so that an older list is right, and only keeps less apart.
+// changed. What is not listed there comes with the first part. A new function in a listed path comes later, though: where a first
+// visit runs it, tests/e2e/later.test.mjs fails, and the lists are to be written anew.
 
 import { createRequire } from "node:module";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
