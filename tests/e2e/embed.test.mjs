@@ -75,8 +75,7 @@ describe("inside another page", () => {
     const frame = await show(page, host, `<iframe title="mine" width="600" height="400" src="${host.url}?from=notes&amp;embed#${scene}"></iframe>`);
     await frame.getByRole("heading", { name: "mine" }).waitFor();
     await frame.getByRole("link", { name: "Open in Giveway" }).waitFor();
-    await frame.evaluate(() => location.reload());
-    await frame.waitForLoadState();
+    await reload(frame);
     await frame.getByRole("heading", { name: "mine" }).waitFor();
     const broken = await show(page, host, `<iframe title="broken" width="600" height="400" src="${host.url}?embed#giveway=3"></iframe>`, "alert");
     await eventually("a notice", () => broken.getByRole("alert").first().innerText(), (text) => /cannot be shown.*version 3/s.test(text));
@@ -110,6 +109,16 @@ async function show(page, host, html, shown = "board") {
   const frame = await (await page.waitForSelector("iframe")).contentFrame();
   await (shown === "board" ? frame.getByRole("grid", { name: "Board" }) : frame.getByRole("alert").first()).waitFor();
   return frame;
+}
+
+/** Loads the frame anew. It is done where the document of before is no more: that one has the same address and text. */
+async function reload(frame) {
+  await frame.evaluate(() => {
+    window.isOfBefore = true;
+    location.reload();
+  });
+  const read = () => frame.evaluate(() => document.readyState === "complete" && !window.isOfBefore).catch(() => false);
+  await eventually("the frame to be loaded anew", read);
 }
 
 /** Remembers every use of what a browser keeps. */
