@@ -30,14 +30,14 @@ export async function revising(url) {
       await begin(playground);
       await joins(playground, [0, 9], [9, 0]);
       await playground.key("Escape");
-      for (const method of ["Tunnel", "Replan"]) {
-        await playground.page.getByRole("checkbox", { name: method }).uncheck();
+      for (const method of ["Near the old paths", "Everything new"]) {
+        await playground.page.getByRole("checkbox", { name: new RegExp(`^${method}`) }).uncheck();
       }
       const tab = await Tab.of(browser);
       const before = tab.workerSeconds();
       await playground.press("Find new plans");
       await playground.says(/^At time \d+: /);
-      await playground.page.getByRole("article", { name: "Revise" }).getByRole("button", { name: /^Use this plan/ }).waitFor();
+      await playground.page.getByRole("article", { name: "New times" }).getByRole("button", { name: /^Use this plan/ }).waitFor();
       cpu.push(tab.workerSeconds() - before);
     });
   }

@@ -1,6 +1,7 @@
 //! What is said of all best plans, compared with all of them.
 
 mod critical;
+mod latest;
 mod plans;
 mod ruled;
 mod visits;
@@ -12,6 +13,7 @@ use giveway_solve::{Limits, Request, Response, SilentHost, Status, serve};
 use crate::oracle::{Every, Question, Verdict, Where};
 use crate::recount;
 use critical::critical;
+pub use latest::{Latest, compare_latest};
 use plans::{farthest, ways};
 pub use ruled::compare_ruled;
 use visits::{backbone, slack};
@@ -53,9 +55,7 @@ pub fn ask(instance: &Instance, plan: Option<Plan>, within: Option<u32>) -> Free
 /// Compares all parts of an answer. Where no cost of the objective counts time, plans
 /// may be as long as the horizon allows, so there it is short.
 pub fn compare(instance: &Instance, within: Option<u32>) -> Compared {
-    let costs = instance.objective().costs();
-    let timed = |cost: &Cost| matches!(cost, Cost::Makespan | Cost::SumOfCosts);
-    let within = within.or((!costs.iter().any(timed)).then_some(7));
+    let within = limited(instance, within);
     let question = Question {
         instance,
         within,
@@ -73,15 +73,7 @@ pub fn compare(instance: &Instance, within: Option<u32>) -> Compared {
             status => Compared::Differ(vec![format!("{status:?}, and there is no plan")]),
         };
     };
-    let value = |cost| {
-        let place = costs.iter().position(|&it| it == cost);
-        place.map(|place| best.vector[place])
-    };
-    let latest = [value(Cost::Makespan), value(Cost::SumOfCosts), within];
-    let Some(latest) = latest.into_iter().flatten().min() else {
-        return Compared::TooLarge;
-    };
-    let Some(every) = Every::of(instance, &best.vector, latest, CAP) else {
+    let Some((every, latest)) = all_best(instance, within, &best.vector) else {
         return Compared::TooLarge;
     };
     // Of every second instance the plan is the oracle's.
@@ -132,6 +124,27 @@ pub fn compare(instance: &Instance, within: Option<u32>) -> Compared {
         faults.push(serde_json::to_string(&answer).unwrap());
         Compared::Differ(faults)
     }
+}
+
+/// A horizon that keeps plans short: that which is asked for, or a short one where no cost of the
+/// objective counts time.
+fn limited(instance: &Instance, within: Option<u32>) -> Option<u32> {
+    let timed = |cost: &Cost| matches!(cost, Cost::Makespan | Cost::SumOfCosts);
+    let counts_time = instance.objective().costs().iter().any(timed);
+    within.or((!counts_time).then_some(7))
+}
+
+/// All plans of the best costs, and the makespan that none of them exceeds; `None` where the
+/// oracle cannot say.
+fn all_best(instance: &Instance, within: Option<u32>, best: &[u32]) -> Option<(Every, u32)> {
+    let costs = instance.objective().costs();
+    let value = |cost| {
+        let place = costs.iter().position(|&it| it == cost);
+        place.map(|place| best[place])
+    };
+    let latest = [value(Cost::Makespan), value(Cost::SumOfCosts), within];
+    let latest = latest.into_iter().flatten().min()?;
+    Some((Every::of(instance, best, latest, CAP)?, latest))
 }
 
 /// Where a path has an agent at a time; `None` after its arrival.

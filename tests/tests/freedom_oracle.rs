@@ -17,7 +17,7 @@
 )]
 
 use giveway_model::{Cost, Instance};
-use giveway_tests::freedom::{Compared, compare, compare_ruled};
+use giveway_tests::freedom::{Compared, Latest, compare, compare_latest, compare_ruled};
 use giveway_tests::rules_random::{KINDS, scene_with_rules};
 use giveway_tests::{environment, random};
 
@@ -43,6 +43,27 @@ fn all_best_plans_of_scenes_with_two_kinds_of_rules() {
         let other = number / KINDS.len() + number + 1;
         vec![KINDS[number % KINDS.len()], KINDS[other % KINDS.len()]]
     });
+}
+
+#[test]
+fn no_best_plan_is_later_than_its_proof_leaves() {
+    let seed = environment::number("GIVEWAY_RANDOM_SEED", 1);
+    let (mut said, mut exact) = (0, 0);
+    for number in 0..environment::number("GIVEWAY_RANDOM_FREEDOM", 200) {
+        match compare_latest(&random::small(seed, number), None) {
+            Latest::TooLarge => {}
+            Latest::Agreed {
+                said: more,
+                exact: same,
+            } => {
+                said += more;
+                exact += same;
+            }
+            Latest::Differ(fault) => panic!("{number} of seed {seed}: {fault}"),
+        }
+    }
+    println!("{said} latest arrivals, {exact} of them exact");
+    assert!(exact > said / 2 && said > 30, "{exact} of {said}");
 }
 
 /// Compares the answers about scenes with rules.

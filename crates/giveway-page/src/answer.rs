@@ -5,7 +5,7 @@ use std::rc::Rc;
 use giveway_model::change::{Changes, Trajectory};
 use giveway_model::{Agent, Fault, Plan, check};
 use giveway_solve::plan::Planner;
-use giveway_solve::{Ended, Reach, SolveAnswer, SolveRequest, Status};
+use giveway_solve::{Ended, ProvedBest, Reach, SolveAnswer, SolveRequest, Status};
 
 use crate::Draft;
 use crate::course::{Adopted, Course, World};
@@ -151,15 +151,19 @@ impl Answer {
     /// How far the search for the best plan proved on this page that none is better: of its own plan
     /// in a world that does not change.
     pub(crate) fn proved_here(&self) -> Option<Reach> {
+        self.proved_best().map(|proved| proved.reach)
+    }
+
+    /// The same, with what that proof leaves the robots.
+    pub(crate) fn proved_best(&self) -> Option<ProvedBest> {
         // What a link or the browser's store says is no proof: only a search of this page has a trace.
         let is_own = self.is_searched()
             && self.by.is_none()
             && self.course.is_none()
             && self.solved.trace.is_some();
-        let searched = is_own
-            .then_some(self.solved.reach)
-            .or(self.proved_by_bounds);
-        searched.filter(|_| self.solved.status == Status::Optimal)
+        let searched = is_own.then(|| ProvedBest::by_search(&self.solved));
+        let proved = searched.or(self.proved_by_bounds.map(ProvedBest::from));
+        proved.filter(|_| self.solved.status == Status::Optimal)
     }
 
     /// The index, in the draft that was solved, of an agent of another draft.

@@ -82,7 +82,7 @@ impl Asking {
             question,
             objective: answer.request.objective.clone(),
             within: answer.request.within,
-            proved: answer.proved_here(),
+            proved: answer.proved_best(),
             known: None,
             limits,
         });

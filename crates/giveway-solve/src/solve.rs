@@ -11,7 +11,7 @@ use crate::{
     calmed::calmed,
     judged::Judged,
     problem::{Problem, ProblemError},
-    search::{self, Aim, Bounded, Contact, Horizon, Proved, Verdict},
+    search::{self, Aim, Bounded, Contact, Horizon, LatestArrivals, Proved, Verdict},
     shut_in::shut_in_by,
     trace::{Cannot, Recorder, SearchEvent, Stopped, name_rules},
     walk::{Walk, to_plan, walks_of_plan},
@@ -67,6 +67,7 @@ pub(crate) fn solve(task: &SolveTask) -> Solved {
     task.budget.record(|_| end(task, &solved));
     solved.answer.trace = task.budget.trace();
     if let Some(trace) = &mut solved.answer.trace {
+        trace.latest.clone_from(&solved.latest);
         name_rules(&task.instance, &task.objective, trace, &task.budget);
     }
     solved
@@ -140,6 +141,8 @@ pub(crate) struct Solved {
     pub(crate) reach: Option<Proved>,
     /// Agents that cannot all arrive, where there is no plan.
     pub(crate) clash: Vec<String>,
+    /// The latest arrivals that the proof leaves, where the plan is proved to be the best.
+    pub(crate) latest: Option<LatestArrivals>,
 }
 
 /// The search for the best plan: it begins with the plan that is known, and
@@ -215,6 +218,7 @@ pub(crate) fn without_search(task: &SolveTask, error: &ProblemError) -> Solved {
         answer,
         reach,
         clash,
+        latest: None,
     }
 }
 
@@ -253,5 +257,6 @@ pub(crate) fn answer(task: &SolveTask, problem: &Problem, verdict: Verdict) -> S
         answer,
         reach,
         clash,
+        latest: verdict.latest.filter(|_| status == Status::Optimal),
     }
 }

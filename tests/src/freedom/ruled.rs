@@ -12,10 +12,11 @@ use giveway_solve::freedom::PlanCount;
 use giveway_solve::{Reason, Status, Stop};
 use serde_json::Value;
 
+use super::latest::{Latest, left};
 use super::plans::ways;
 use super::{COUNT, Compared, ask};
 use crate::rules_oracle::{Answer, RuleScene, all_best, best};
-use courses::plan_of;
+use courses::{arrival, plan_of};
 use critical::critical;
 use holds::holds;
 use visits::{arrivals, backbone, farthest};
@@ -81,6 +82,15 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
             "{told:?}, not {expected:?}: {:?}",
             report.violations
         ));
+    }
+    if let Some(courses) = &courses {
+        let latest = |agent| {
+            let all = courses.iter().map(|it| arrival(&instance, it, agent));
+            all.max().unwrap_or(0) as u32
+        };
+        if let Latest::Differ(fault) = left(&instance, within, latest) {
+            faults.push(fault);
+        }
     }
     let counted = match &courses {
         Some(courses) => PlanCount::Exactly(courses.len() as u32),

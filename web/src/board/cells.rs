@@ -33,11 +33,17 @@ pub(super) struct CellsProps {
 
 impl PartialEq for CellsProps {
     fn eq(&self, other: &Self) -> bool {
+        self.has_names_of(other) && self.selection == other.selection
+    }
+}
+
+impl CellsProps {
+    /// Whether the cells have the same names: these do not tell what is selected.
+    fn has_names_of(&self, other: &Self) -> bool {
         Rc::ptr_eq(&self.draft, &other.draft)
             && Rc::ptr_eq(&self.cast, &other.cast)
             && self.time == other.time
             && self.window == other.window
-            && self.selection == other.selection
             && self.notes == other.notes
     }
 }
@@ -60,20 +66,39 @@ pub(super) fn use_window(cursor: Cell, frame: Frame, board: (u32, u32)) -> Windo
 /// The rows in the window.
 #[component]
 pub(super) fn Cells(props: &CellsProps) -> Html {
+    let named = Named(props.clone());
+    let rows = use_memo(named, |Named(props)| names(props));
+    let selected = selected(props);
+    let row = |row: &Rc<[(Cell, AttrValue)]>| {
+        let y = row.first().map_or(0, |(cell, _)| cell.y);
+        let selected: Vec<Cell> = selected.iter().copied().filter(|cell| cell.y == y).collect();
+        html! { <Row key={y} of={props.of} cells={Rc::clone(row)} {selected} /> }
+    };
+    html! { { for rows.iter().map(row) } }
+}
+
+/// What the names of the cells follow from.
+struct Named(CellsProps);
+
+impl PartialEq for Named {
+    fn eq(&self, Self(other): &Self) -> bool {
+        self.0.has_names_of(other)
+    }
+}
+
+/// The cells in the window with their names, row by row.
+fn names(props: &CellsProps) -> Vec<Rc<[(Cell, AttrValue)]>> {
     let names = CellNames::new(&props.cast, props.time, props.draft.problems());
     let names = names.ruled(props.draft.scene(), props.time, &props.window);
     let names = names.noting(&props.notes);
-    let selected = selected(props);
     let row = |y: u32| {
         let cell = |x: u32| {
             let cell = Cell::new(x, y);
-            let name = AttrValue::from(names.name(props.draft.grid(), cell));
-            (cell, name, selected.contains(&cell))
+            (cell, AttrValue::from(names.name(props.draft.grid(), cell)))
         };
-        let cells: Vec<_> = props.window.columns().map(cell).collect();
-        html! { <Row key={y} of={props.of} {cells} /> }
+        props.window.columns().map(cell).collect()
     };
-    html! { { for props.window.rows().map(row) } }
+    props.window.rows().map(row).collect()
 }
 
 /// The cells that are selected: one, or those where the selected agent is.
@@ -91,13 +116,16 @@ fn selected(props: &CellsProps) -> Vec<Cell> {
 #[derive(Clone, PartialEq, Properties)]
 struct RowProps {
     of: &'static str,
-    cells: Vec<(Cell, AttrValue, bool)>,
+    cells: Rc<[(Cell, AttrValue)]>,
+    /// Those of them that are selected.
+    selected: Vec<Cell>,
 }
 
 #[component]
 fn Row(props: &RowProps) -> Html {
-    let row = props.cells.first().map_or(0, |(cell, ..)| cell.y + 1);
-    let cell = |(cell, name, is_selected): &(Cell, AttrValue, bool)| {
+    let row = props.cells.first().map_or(0, |(cell, _)| cell.y + 1);
+    let cell = |(cell, name): &(Cell, AttrValue)| {
+        let is_selected = props.selected.contains(cell);
         html! {
             <rect class="cell" role="gridcell" id={id(props.of, *cell)} aria-label={name}
                 aria-colindex={(cell.x + 1).to_string()}

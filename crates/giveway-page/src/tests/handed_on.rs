@@ -13,7 +13,7 @@ use crate::{Action, AskAction, FileAction, SolveAction, State, sample};
 fn proved(state: &State) -> Option<Reach> {
     let asked = after(state, [Action::Ask(AskAction::Ask(Question::Makespan))]);
     let asking = asked.document.mode.asking().unwrap();
-    asking.request.proved
+    asking.request.proved.as_ref().map(|proved| proved.reach)
 }
 
 fn status(state: &State) -> Status {

@@ -13,7 +13,9 @@ use crate::{
     budget::Budget,
     impose::{ImposeError, limit_costs},
     problem::{Problem, ProblemError, Relaxed},
-    search::{Bounded, ClosestEnd, Extent, GivenWalk, Horizon, Proved, closest as search_closest},
+    search::{
+        Bounded, ClosestEnd, Extent, Given, GivenWalk, Horizon, Proved, closest as search_closest,
+    },
     walk::to_plan,
 };
 use giveway_model::sorting::{map, sort};
@@ -21,9 +23,10 @@ use giveway_model::sorting::{map, sort};
 /// Clauses that it may derive, and seconds that it may take.
 const DERIVED: u64 = 20_000;
 const SECONDS: f64 = 3.0;
-/// The same where it is not known whether any plan costs so little: to refute all takes more.
+/// The same where it is not known whether any plan costs so little: to refute all takes more. What
+/// is not refuted soon is sooner known from the best plans.
 const DERIVED_FOR_ANY: u64 = 60_000;
-const SECONDS_FOR_ANY: f64 = 1.5;
+const SECONDS_FOR_ANY: f64 = 0.7;
 
 /// Whether a plan that is as asked for costs no more than another.
 pub(crate) enum AsCheap {
@@ -176,7 +179,17 @@ fn with(
     {
         return BranchOutcome::None(None);
     }
-    match search_closest(&problem, &before, &bounded, Extent::Entries, budget) {
+    let of_best = costs.vector(case.objective()) == case.costs.vector(case.objective());
+    let latest = case.latest.as_ref().filter(|_| of_best);
+    if let Some(proved) = latest.and_then(|latest| latest.refute(&problem)) {
+        return BranchOutcome::None(Some(proved));
+    }
+    let given = Given {
+        before: &before,
+        bounded: &bounded,
+        latest,
+    };
+    match search_closest(&problem, given, Extent::Entries, budget) {
         Ok(ClosestEnd::NoPlan(proved)) => BranchOutcome::None(proved),
         Err(_) => BranchOutcome::Unknown,
         Ok(ClosestEnd::Plan(close)) => {

@@ -23,10 +23,9 @@ use super::{
     words,
 };
 use crate::{
-    Host, Reach, Refusal, Status,
+    Host, ProvedBest, Refusal, Status,
     budget::Budget,
     problem::Relaxed,
-    search::Proved,
     solve::{self, SolveTask, Solved},
 };
 
@@ -49,7 +48,7 @@ pub(crate) fn explain(request: &ExplainRequest, host: &dyn Host) -> Result<Expla
             within: request.within,
             whole: WholePlan::default(),
             layers: &request.layers,
-            proved: request.proved.and_then(Reach::handed_on),
+            proved: request.proved.as_ref(),
             known: request.known.as_ref(),
         };
         return answered(&asked, &budget, host);
@@ -104,8 +103,8 @@ struct PlanQuestion<'a> {
     whole: WholePlan<'a>,
     /// The layers that the answer has; those of a request without layers where there are none.
     layers: &'a [Layer],
-    /// How far it is proved already that no plan is better.
-    proved: Option<Proved>,
+    /// What is proved already: that no plan is better.
+    proved: Option<&'a ProvedBest>,
     /// A plan that may be as asked for.
     known: Option<&'a Plan>,
 }
@@ -181,9 +180,10 @@ fn answered(
     whole.fits(question, instance, &plan).map_err(refused)?;
     answer.plan = best;
     let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
-    case.optimal = match solved {
-        Some(solved) => solved.reach,
-        None => *proved,
+    (case.optimal, case.latest) = match (solved, proved) {
+        (Some(solved), _) => (solved.reach, solved.latest),
+        (None, Some(proved)) => (proved.reach.handed_on(), proved.latest.clone()),
+        (None, None) => (None, None),
     };
     if let Some(plan) = known {
         case.hand_on(plan);

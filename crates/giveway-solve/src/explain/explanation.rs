@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     AgentDifference, Core, Excess, Here, How, Layer, Near, Repair, SubsetBound, WitnessEntry,
 };
-use crate::{Limits, Reach, Stats};
+use crate::{Limits, ProvedBest, Reach, Stats};
 
 /// Answer a question about a plan, or about there being none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -41,11 +41,11 @@ pub struct ExplainRequest {
     /// The horizon, in time steps; never less than the plan's makespan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
-    /// How far the front that asks had proved that no plan is better than `plan`, by an answer
-    /// to the same scene, objective and horizon: it is not proved again. Only programs of the
+    /// What the front that asks had proved: that no plan is better than `plan`, by an answer
+    /// to the same scene, objective and horizon. It is not proved again. Only programs of the
     /// same build hand it on; no file has it.
     #[serde(skip)]
-    pub proved: Option<Reach>,
+    pub proved: Option<ProvedBest>,
     /// A plan that an earlier answer about `plan` found: the other plan is no worse than this one
     /// where it is as asked for, which is checked. No file has it.
     #[serde(skip)]

@@ -12,7 +12,7 @@ use super::{ask::Ask, whole::WholePlan};
 use crate::{
     impose::{Unmeetable, ways},
     problem::Relaxed,
-    search::Proved,
+    search::{LatestArrivals, Proved},
 };
 
 /// A question that fits a valid plan, and what is to be known of both.
@@ -26,6 +26,8 @@ pub(crate) struct FittingQuestion<'a> {
     pub(crate) costs: Costs,
     /// How far it is proved that no plan is better, where it is.
     pub(crate) optimal: Option<Proved>,
+    /// The latest arrivals in plans that are as good, where the proof leaves such.
+    pub(crate) latest: Option<LatestArrivals>,
     /// An other plan that is as asked for and was found before, with its costs.
     pub(crate) known: Option<(Plan, Costs)>,
     /// How far the verdict is proved, once it is.
@@ -58,6 +60,7 @@ impl<'a> FittingQuestion<'a> {
             plan,
             costs,
             optimal: None,
+            latest: None,
             known: None,
             shown: None,
             is_open: false,

@@ -66,6 +66,7 @@ pub(crate) fn serve(request: &PriceRequest, host: &dyn Host) -> Result<PriceAnsw
             answer: best.clone(),
             reach: None,
             clash: Vec::new(),
+            latest: None,
         },
         None => pricing.solve(&instance, request.start.as_ref(), parts),
     };

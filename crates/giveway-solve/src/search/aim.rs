@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Costs};
 
-use super::{earlier::EarlierOptima, for_ever::Proved, horizon::Horizon, incumbent::OnBetter};
+use super::{
+    earlier::EarlierOptima, for_ever::Proved, horizon::Horizon, incumbent::OnBetter,
+    latest::LatestArrivals,
+};
 use crate::{budget::Stop, walk::Walk};
 
 /// Bounds on a plan beside the rules.
@@ -69,6 +72,8 @@ pub(crate) struct Verdict {
     pub(crate) stop: Option<Stop>,
     /// Agents that cannot all arrive, where there is no plan.
     pub(crate) clash: Vec<usize>,
+    /// The latest arrivals that the proof leaves, where the plan is proved to be the best.
+    pub(crate) latest: Option<LatestArrivals>,
 }
 
 /// The start of a search for the best plan, and its progress reports.

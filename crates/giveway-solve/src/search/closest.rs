@@ -17,6 +17,7 @@ use super::{
     deadlines::Keeping,
     for_ever::{self, ForEver, NoPlan, Proved},
     incumbent::Incumbent,
+    latest::LatestArrivals,
     stage::{Search, Subject},
 };
 use crate::{
@@ -78,17 +79,29 @@ impl ClosestEnd {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NoneCloser(());
 
+/// The fixed input of a search for the closest plan.
+#[derive(Clone, Copy)]
+pub(crate) struct Given<'a> {
+    /// The plan to be close to, agent by agent.
+    pub(crate) before: &'a [GivenWalk],
+    pub(crate) bounded: &'a Bounded,
+    /// The latest arrivals in plans within the limits, where a proof leaves such.
+    pub(crate) latest: Option<&'a LatestArrivals>,
+}
+
 /// The closest plan within the limits, or that there is none.
 ///
 /// # Errors
 /// When the budget is spent before there is any.
 pub(crate) fn closest(
     problem: &Problem,
-    before: &[GivenWalk],
-    bounded: &Bounded,
+    given: Given,
     extent: Extent,
     budget: &Rc<Budget>,
 ) -> Result<ClosestEnd, Stop> {
+    let Given {
+        before, bounded, ..
+    } = given;
     let objective = giveway_model::Objective::default();
     let latest = bounded.horizon.latest();
     let mut incumbent = Incumbent::new(objective, latest, bounded.limits.clone(), &|_, _| {});
@@ -98,8 +111,13 @@ pub(crate) fn closest(
         walks: &walks,
         bounded,
     };
-    let search = Search::new(subject, Keeping::Hard, &mut incumbent, Rc::clone(budget));
+    let mut search = Search::new(subject, Keeping::Hard, &mut incumbent, Rc::clone(budget));
     let agents = problem.agents();
+    for agent in 0..agents {
+        if let Some(latest) = given.latest {
+            search.lower_cap(agent, latest.of(agent));
+        }
+    }
     let mut near = Near {
         problem,
         before,

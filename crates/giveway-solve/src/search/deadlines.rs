@@ -93,6 +93,13 @@ impl Deadlines {
         self.caps[agent].latest
     }
 
+    /// The latest arrival of an agent that the claim does not exclude, whatever the horizon; `None`
+    /// where it excludes none.
+    pub(super) fn claimed(&self, agent: AgentId) -> Option<u32> {
+        let cap = self.caps[agent];
+        (cap.reason != DeadlineReason::Horizon).then_some(cap.latest)
+    }
+
     /// The latest of all caps.
     pub(super) fn last_cap(&self) -> u32 {
         self.caps.iter().map(|cap| cap.latest).max().unwrap_or(0)

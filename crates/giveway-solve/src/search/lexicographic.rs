@@ -93,6 +93,7 @@ pub(crate) fn find_from(
         reach: None,
         stop: None,
         clash: Vec::new(),
+        latest: None,
     };
     let given = SearchInput {
         problem,

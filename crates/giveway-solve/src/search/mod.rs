@@ -14,6 +14,7 @@
 //! - [`claim`]: what is proved, and what is under way;
 //! - [`earlier`]: optima of an earlier search;
 //! - [`deadlines`]: the latest arrivals that are looked at, and why;
+//! - [`latest`]: the latest arrivals that a proof leaves;
 //! - [`mod@horizon`]: the makespan beyond which nothing is looked for;
 //! - [`for_ever`]: claims that hold whatever the horizon.
 
@@ -29,6 +30,7 @@ mod for_ever;
 mod growing;
 mod horizon;
 mod incumbent;
+mod latest;
 mod lexicographic;
 mod makespan;
 mod minima;
@@ -42,11 +44,12 @@ mod team;
 mod tests;
 
 pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
-pub(crate) use closest::{ClosestEnd, Extent, GivenWalk, closest};
+pub(crate) use closest::{ClosestEnd, Extent, Given, GivenWalk, closest};
 pub(crate) use earlier::EarlierOptima;
 pub(crate) use for_ever::{ForEver, NoPlan, Proved, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;
 pub(crate) use incumbent::free_of_collisions;
+pub(crate) use latest::LatestArrivals;
 pub(crate) use lexicographic::{find, find_from, solve};
 pub(crate) use minima::{LoneBound, Minima};
 pub(crate) use team::Team;

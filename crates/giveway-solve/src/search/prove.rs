@@ -12,6 +12,7 @@ use super::{
     earlier::EarlierOptima,
     for_ever::{self, ForEver, Least, LeastForEver, NoPlan, OfOptima},
     incumbent::Incumbent,
+    latest::LatestArrivals,
     makespan,
     stage::{End, Search, Subject},
     sum::SumStage,
@@ -143,6 +144,7 @@ fn prove_by_sat(
         }
         // Its plans all need more time than the horizon allows.
         verdict.bounds.clear();
+        verdict.latest = None;
         let why = Restart::Horizon;
         budget.record(|_| SearchEvent::Restarted { why });
     }
@@ -222,6 +224,10 @@ fn stages(
         let earlier = earlier.and_then(|earlier| earlier.shows(optimum.least()));
         let known = known.or(earlier.map(ForEver::from));
         for_ever.and(&mut search, optimum, known, bounded)?;
+        // (The stage of the last cost excludes plans that are no better than the best one.)
+        if cost == Cost::SumOfCosts && !last {
+            verdict.latest = LatestArrivals::left_by(&search, optimum, bounded.horizon);
+        }
         optima.push(optimum.least());
         if given.aim.is_missed(&optima) || is_met(given.aim, search.incumbent) {
             break;

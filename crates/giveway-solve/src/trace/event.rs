@@ -7,7 +7,7 @@ use giveway_model::{Cell, Constraint, Cost, Costs, Objective, Version, message::
 use serde::{Deserialize, Serialize};
 
 use super::{AgentLeast, Core, Scope};
-use crate::Reason;
+use crate::{Reason, search::LatestArrivals};
 
 /// How the best plan was found and proved: the first events and the last.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -22,6 +22,9 @@ pub struct SearchTrace {
     pub events: Vec<TraceEvent>,
     /// How many events are left out between the first and the last.
     pub left_out: u64,
+    /// The latest arrivals that the proof leaves; no file has them.
+    #[serde(skip)]
+    pub(crate) latest: Option<LatestArrivals>,
 }
 
 /// An event of a search.
@@ -237,6 +240,7 @@ impl SearchTrace {
             objective,
             events: Vec::new(),
             left_out: 0,
+            latest: None,
         }
     }
 

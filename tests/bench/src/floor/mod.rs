@@ -14,7 +14,7 @@ use cpu_time::ProcessTime;
 use giveway_model::{Instance, Plan, Question, format::native, question::to_words};
 use giveway_solve::explain::{ExplainAnswer, ExplainRequest, FactKind, Layer, Part, Verdict};
 use giveway_solve::{
-    Host, Limits, Progress, Reach, Request, Response, SolveAnswer, SolveRequest, Status, serve,
+    Host, Limits, Progress, ProvedBest, Request, Response, SolveAnswer, SolveRequest, Status, serve,
 };
 use giveway_tests::questions;
 
@@ -162,9 +162,9 @@ fn asked_about(name: String, instance: Instance, limit: f64) -> Result<Floor, Bo
     let begin = now();
     let solved = solved(&instance)?;
     let seconds = now() - begin;
-    let plan = solved.plan.ok_or_else(|| format!("{name}: no plan"))?;
+    let plan = solved.plan.clone().ok_or_else(|| format!("{name}: no plan"))?;
     let is_best = solved.status == Status::Optimal;
-    let proved = is_best.then_some(solved.reach);
+    let proved = is_best.then(|| ProvedBest::by_search(&solved));
     eprintln!("{name}: {:?} in {seconds:.1}", solved.status);
     let mut asked = Vec::new();
     let first = std::iter::once(Question::Makespan);
@@ -173,7 +173,7 @@ fn asked_about(name: String, instance: Instance, limit: f64) -> Result<Floor, Bo
     });
     for question in first.chain(drawn.flatten()).take(QUESTIONS) {
         let words = to_words(&question);
-        let one = ask(&instance, &plan, question, (proved, limit))
+        let one = ask(&instance, &plan, question, (proved.clone(), limit))
             .map_err(|error| format!("{name}, {words}: {error}"))?;
         let (answer, size) = (&one.answer, one.size(&instance));
         eprintln!(
@@ -215,6 +215,7 @@ fn solved(instance: &Instance) -> Result<SolveAnswer, Box<dyn Error>> {
     let request = Request::Solve(SolveRequest {
         scene: instance.to_scene(),
         limits: limits(SECONDS),
+        trace: true, // as the page asks
         ..SolveRequest::default()
     });
     match serve(&request, &Watch::default()) {
@@ -227,7 +228,7 @@ fn ask(
     instance: &Instance,
     plan: &Plan,
     question: Question,
-    (proved, limit): (Option<Reach>, f64),
+    (proved, limit): (Option<ProvedBest>, f64),
 ) -> Result<Asked, Box<dyn Error>> {
     let watch = Watch::default();
     watch.begin.set(now());

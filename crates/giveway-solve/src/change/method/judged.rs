@@ -8,7 +8,7 @@ use super::MethodFound;
 use crate::{
     change::{Method, compare::compare, method_case::MethodCase},
     problem::Problem,
-    search::{Bounded, Extent, GivenWalk, closest},
+    search::{Bounded, Extent, Given, GivenWalk, closest},
     walk::{Walk, of_path, to_plan},
 };
 
@@ -33,7 +33,13 @@ pub(super) fn disturb_few(
         horizon: found.bounded.horizon.up_to(costs.makespan),
         limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
-    let near = closest(problem, &before, &bounded, Extent::Agents, &case.budget);
+    let is_proved = found.verdict.stop.is_none();
+    let given = Given {
+        before: &before,
+        bounded: &bounded,
+        latest: found.verdict.latest.as_ref().filter(|_| is_proved),
+    };
+    let near = closest(problem, given, Extent::Agents, &case.budget);
     let near = near.ok()?.plan()?;
     // Plans as good end no later (the makespan is in every objective here), so that as far as the
     // search looked is far enough.

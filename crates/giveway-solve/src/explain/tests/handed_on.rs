@@ -8,7 +8,8 @@ use giveway_model::{Plan, Question};
 
 use super::layers::questions;
 use crate::{
-    Host, Limits, Progress, Request, Response, SilentHost, SolveRequest, Status, Thresholds,
+    Host, Limits, Progress, ProvedBest, Request, Response, SilentHost, SolveRequest, Status,
+    Thresholds,
     explain::{ExplainAnswer, ExplainRequest, Layer, Part, Verdict},
     serve,
     tests::random,
@@ -40,22 +41,27 @@ impl Host for Eager {
 /// A proof that is handed on spares the search, and changes no verdict.
 #[test]
 fn a_proof_that_is_handed_on_changes_no_verdict() {
-    let (mut seen, mut spared, mut on_floors) = (BTreeMap::new(), 0, 0);
-    for seed in 0..30 {
+    let (mut seen, mut spared, mut on_floors, mut late) = (BTreeMap::new(), 0, 0, 0);
+    for seed in 0..60 {
         let instance = random(seed, 2 + (seed % 3) as usize);
         let request = Request::Solve(SolveRequest {
             scene: instance.to_scene(),
+            trace: true,
             ..SolveRequest::default()
         });
-        let Response::Solved(solved) = serve(&request, &SilentHost) else {
+        let Response::Solved(solved) = serve(&request, &Eager::default()) else {
             panic!("{seed}");
         };
+        let proved = ProvedBest::by_search(&solved);
+        late += (0..instance.agents().len())
+            .filter(|&a| proved.latest_arrival(a).is_some())
+            .count();
         let Some(plan) = solved.plan.filter(|_| solved.status == Status::Optimal) else {
             continue;
         };
         for question in questions(&instance, &plan).into_iter().take(8) {
             let layers = [Layer::Near, Layer::Whole];
-            let ask = |proved, host: &dyn Host| {
+            let ask = |proved: Option<&ProvedBest>, host: &dyn Host| {
                 let request = Request::Explain(ExplainRequest {
                     scene: instance.to_scene(),
                     plan: Some(plan.clone()),
@@ -64,7 +70,7 @@ fn a_proof_that_is_handed_on_changes_no_verdict() {
                     at: None,
                     objective: None,
                     within: None,
-                    proved,
+                    proved: proved.cloned(),
                     known: None,
                     layers: layers.to_vec(),
                     limits: Limits::default(),
@@ -75,9 +81,9 @@ fn a_proof_that_is_handed_on_changes_no_verdict() {
                 }
             };
             let without = ask(None, &SilentHost);
-            let with = ask(Some(solved.reach), &SilentHost);
+            let with = ask(Some(&proved), &SilentHost);
             // As on a large floor: from a plan near by, and with the optima that are proved.
-            let on_floor = ask(Some(solved.reach), &Eager::default());
+            let on_floor = ask(Some(&proved), &Eager::default());
             assert_eq!(on_floor.verdict, without.verdict, "{seed} {question:?}");
             assert_eq!(on_floor.deltas, without.deltas, "{seed} {question:?}");
             let is_complete = on_floor.reach.is_complete();
@@ -91,8 +97,8 @@ fn a_proof_that_is_handed_on_changes_no_verdict() {
         }
     }
     assert!(
-        seen.len() >= 3 && spared > 0 && on_floors > 0,
-        "{seen:?} {spared} {on_floors}"
+        seen.len() >= 3 && spared > 0 && on_floors > 0 && late >= 8,
+        "{seen:?} {spared} {on_floors} {late}"
     );
 }
 
@@ -114,7 +120,7 @@ fn a_verdict_that_is_told_early_stays() {
             continue;
         };
         for question in questions(&instance, &plan).into_iter().take(8) {
-            let proved = (seed % 3 > 0).then_some(solved.reach);
+            let proved = (seed % 3 > 0).then_some(solved.reach.into());
             let host = Eager::default();
             let request = Request::Explain(ExplainRequest {
                 scene: instance.to_scene(),

@@ -15,6 +15,7 @@ use super::super::{
     earlier::EarlierOptimum,
     growing::AssumptionCore,
     horizon::AllInTime,
+    latest::TooLateAlone,
     minima::{LimitTooLow, NeededAlone},
 };
 use crate::{
@@ -100,6 +101,8 @@ proofs! {
     Counted => Least,
     /// It is the optimum of an earlier search with fewer conditions.
     EarlierOptimum => Least,
+    /// An agent alone needs longer than any best plan leaves it.
+    TooLateAlone => NoPlan,
     /// An earlier request proved it.
     HandedOn => Least,
 }
