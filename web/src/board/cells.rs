@@ -71,7 +71,11 @@ pub(super) fn Cells(props: &CellsProps) -> Html {
     let selected = selected(props);
     let row = |row: &Rc<[(Cell, AttrValue)]>| {
         let y = row.first().map_or(0, |(cell, _)| cell.y);
-        let selected: Vec<Cell> = selected.iter().copied().filter(|cell| cell.y == y).collect();
+        let selected: Vec<Cell> = selected
+            .iter()
+            .copied()
+            .filter(|cell| cell.y == y)
+            .collect();
         html! { <Row key={y} of={props.of} cells={Rc::clone(row)} {selected} /> }
     };
     html! { { for rows.iter().map(row) } }

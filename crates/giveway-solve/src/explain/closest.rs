@@ -23,10 +23,10 @@ use giveway_model::sorting::{map, sort};
 /// Clauses that it may derive, and seconds that it may take.
 const DERIVED: u64 = 20_000;
 const SECONDS: f64 = 3.0;
-/// The same where it is not known whether any plan costs so little: to refute all takes more. What
-/// is not refuted soon is sooner known from the best plans.
-const DERIVED_FOR_ANY: u64 = 60_000;
-const SECONDS_FOR_ANY: f64 = 0.7;
+/// Clauses and conflicts where it is not known whether any plan costs so little. What is not refuted
+/// by then is sooner known from the best plans.
+const DERIVED_FOR_ANY: u64 = 36_000;
+const CONFLICTS_FOR_ANY: u64 = 11_000;
 
 /// Whether a plan that is as asked for costs no more than another.
 pub(crate) enum AsCheap {
@@ -44,7 +44,7 @@ pub(crate) fn as_cheap_as(case: &FittingQuestion, costs: Costs, budget: &Rc<Budg
     let part = Rc::new(
         budget
             .part(Limits {
-                seconds: Some(SECONDS_FOR_ANY),
+                conflicts: Some(CONFLICTS_FOR_ANY),
                 ..Limits::default()
             })
             .with_derived(DERIVED_FOR_ANY),

@@ -162,7 +162,10 @@ fn asked_about(name: String, instance: Instance, limit: f64) -> Result<Floor, Bo
     let begin = now();
     let solved = solved(&instance)?;
     let seconds = now() - begin;
-    let plan = solved.plan.clone().ok_or_else(|| format!("{name}: no plan"))?;
+    let plan = solved
+        .plan
+        .clone()
+        .ok_or_else(|| format!("{name}: no plan"))?;
     let is_best = solved.status == Status::Optimal;
     let proved = is_best.then(|| ProvedBest::by_search(&solved));
     eprintln!("{name}: {:?} in {seconds:.1}", solved.status);

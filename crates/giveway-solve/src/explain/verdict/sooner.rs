@@ -9,14 +9,14 @@ use giveway_model::{Costs, Objective, Plan, check::costs};
 use super::super::fitting::FittingQuestion;
 use super::{Compared, asks_for_less_of_first_cost, cheaper, settled};
 use crate::{
-    Limits,
+    Limits, Status,
     budget::Budget,
     explain::{
         Verdict,
-        ask::{Start, best_from},
+        ask::{Start, any, best_from},
         closest::{AsCheap, as_cheap_as},
     },
-    search::EarlierOptima,
+    search::{EarlierOptima, Proved},
 };
 
 /// What follows from the proof that no plan is better than the one asked about: there is none
@@ -28,14 +28,7 @@ pub(super) fn by_proof_of_plan(
     let proved = case.optimal?;
     let objective = case.objective();
     if proved.is_complete() && asks_for_less_of_first_cost(case) {
-        return Some(Compared {
-            verdict: Verdict::Necessary,
-            other: None,
-            deltas: BTreeMap::new(),
-            reach: Some(proved),
-            is_open: false,
-            closest: None,
-        });
+        return Some(necessary(proved));
     }
     let costs_same =
         |(_, costs): &&(Plan, Costs)| costs.vector(objective) == case.costs.vector(objective);
@@ -171,7 +164,7 @@ fn by_first_cost(
 /// The verdict by the plans that cost the same as the plan, where that is proved to be a best one.
 /// One that is closest to it shows that it need not be so: few agents have to change for it, so it
 /// is found sooner than any best plan. Where there is none, each plan that is as asked for costs
-/// more, as the `known` one does.
+/// more: the `known` one, or else any.
 fn by_closest(
     case: &FittingQuestion,
     known: Option<&(Plan, Costs)>,
@@ -191,16 +184,56 @@ fn by_closest(
             })
         }
         AsCheap::None(proved) => {
-            let (plan, costs) = known?;
+            let (plan, costs) = match known {
+                Some(known) => known.clone(),
+                None => match any_other(case, budget)? {
+                    Other::Plan(plan, costs) => (plan, costs),
+                    Other::None(reach) => return Some(necessary(reach)),
+                },
+            };
             Some(Compared {
                 verdict: Verdict::Costly,
-                deltas: case.deltas(costs),
-                other: Some((plan.clone(), *costs)),
+                deltas: case.deltas(&costs),
+                other: Some((plan, costs)),
                 reach: Some(proved.and(best)),
                 is_open: true,
                 closest: None,
             })
         }
         AsCheap::Unknown => None,
+    }
+}
+
+/// Whether there is any plan that is as asked for.
+enum Other {
+    Plan(Plan, Costs),
+    /// There is none, as far as that is proved.
+    None(Proved),
+}
+
+/// Looks for any plan that is as asked for, where that is one thing.
+fn any_other(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Other> {
+    if case.conditions().count() != 1 {
+        return None;
+    }
+    let mut found = None;
+    case.each(case.objective(), |ask| found = Some(any(ask, budget)));
+    let found = found?;
+    match (found.plan.zip(found.costs), found.reach) {
+        (Some((plan, costs)), _) => Some(Other::Plan(plan, costs)),
+        (None, Some(reach)) if found.status == Status::Impossible => Some(Other::None(reach)),
+        (None, _) => None,
+    }
+}
+
+/// There is no plan that is as asked for.
+fn necessary(reach: Proved) -> Compared {
+    Compared {
+        verdict: Verdict::Necessary,
+        other: None,
+        deltas: BTreeMap::new(),
+        reach: Some(reach),
+        is_open: false,
+        closest: None,
     }
 }
