@@ -109,14 +109,32 @@ fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
         })
         .max_by_key(|(leaves, _)| *leaves)?;
     let shared = further.filter(|s| !s.way.stays());
-    let shared = shared.take_while(|s| leaves_before(&other, s).is_some());
-    let far = shared.last().unwrap_or(next);
+    let far = far_end(next, shared, &other);
     let question = Question::Yield {
         agent: lane.name.clone(),
         to: other.name,
         at: far.to,
     };
     Some(Offer::new("question", question))
+}
+
+/// The last step along the cells of another agent, which it passed in one direction: where the
+/// agent turns round, or follows from then on, the stretch ends.
+fn far_end<'a>(first: &'a Step, further: impl Iterator<Item = &'a Step>, other: &Lane) -> &'a Step {
+    let mut far = first;
+    let mut direction = None;
+    for step in further {
+        let (Some(before), Some(now)) = (leaves_before(other, far), leaves_before(other, step))
+        else {
+            break;
+        };
+        let way = now.cmp(&before);
+        if *direction.get_or_insert(way) != way {
+            break;
+        }
+        far = step;
+    }
+    far
 }
 
 /// When an agent leaves a cell last before another one comes there by a step.

@@ -6,6 +6,7 @@ mod change;
 mod charge;
 mod compare;
 mod freedom;
+mod gives_way;
 mod handed_on;
 mod inside;
 mod ledger;

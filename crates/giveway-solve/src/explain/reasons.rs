@@ -210,6 +210,7 @@ fn help_case(
         instance: case.instance,
         within: case.within,
         objective: case.objective(),
+        plan: Some(case.plan),
         asked: &asked,
         arriving: case.question.arriving(),
         reach,

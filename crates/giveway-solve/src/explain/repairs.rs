@@ -55,12 +55,24 @@ pub(crate) struct EditedPlan {
     pub(crate) proved: bool,
 }
 
+/// A plan of an edited instance that may not be the best.
+fn unproved(variant: &Variant, plan: Plan) -> Option<EditedPlan> {
+    let costs = costs(&variant.instance, &plan)?;
+    Some(EditedPlan {
+        plan,
+        costs,
+        proved: false,
+    })
+}
+
 /// An instance without a plan, or without one as asked for.
 pub(crate) struct Unsolved<'a> {
     pub(crate) instance: &'a Instance,
     /// The horizon, where a person set one.
     pub(crate) within: Option<u32>,
     pub(crate) objective: &'a Objective,
+    /// The plan that is asked about, where there is one.
+    pub(crate) plan: Option<&'a Plan>,
     /// Agents that are never left out.
     pub(crate) asked: &'a [usize],
     /// The agent whose arrival is asked about.
@@ -206,21 +218,31 @@ impl RepairSearch<'_> {
     }
 
     /// The best plan; of a large floor without a known set any plan that costs little enough,
-    /// where the best is not found in time.
+    /// where the best is not found in time. Where it is not proved, what is left of the plan that
+    /// is asked about may be better.
     fn best(&mut self, variant: &Variant) -> Option<EditedPlan> {
-        let best = self.solver.best(variant);
-        if best.is_some() || !self.broken.cores.is_empty() {
-            return best;
+        let mut best = self.solver.best(variant);
+        if best.is_none()
+            && self.broken.cores.is_empty()
+            && let Tried::Plan(plan) = self.solver.search_briefly(variant)
+        {
+            best = unproved(variant, plan);
         }
-        let Tried::Plan(plan) = self.solver.search_briefly(variant) else {
-            return None;
-        };
-        let costs = costs(&variant.instance, &plan)?;
-        Some(EditedPlan {
-            plan,
-            costs,
-            proved: false,
-        })
+        let is_proved = best.as_ref().is_some_and(|best| best.proved);
+        let rest = self.rest(variant).filter(|_| !is_proved);
+        let all = best.into_iter().chain(rest);
+        all.min_by_key(|it| it.costs.vector(self.broken.objective))
+    }
+
+    /// The plan that is asked about without the agents that are left out, where it is as asked for.
+    fn rest(&self, variant: &Variant) -> Option<EditedPlan> {
+        let mut plan = self.broken.plan?.clone();
+        let agents = variant.instance.agents();
+        let is_there = |name: &String| agents.iter().any(|agent| agent.name == *name);
+        plan.paths.retain(|name, _| is_there(name));
+        plan.charges.retain(|name, _| is_there(name));
+        let is_as_asked = self.solver.accepts(variant, &plan);
+        unproved(variant, plan).filter(|_| is_as_asked)
     }
 
     /// Whether there is a plan after some edits; `None` where that is not known.

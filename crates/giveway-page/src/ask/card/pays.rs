@@ -109,7 +109,7 @@ fn order(row: &CostRow) -> (bool, Reverse<i64>) {
     (more == 0, Reverse(more))
 }
 
-/// `A14 pays, 4 others gain`.
+/// `A14 pays, 4 robots gain`.
 fn summary(robots: &[CostRow], this: &Answer) -> Option<String> {
     let count = |is: fn(&CostRow) -> bool| robots.iter().filter(|row| is(row)).count() as u32;
     let lose = count(|row| row.other > row.this);
@@ -124,7 +124,10 @@ fn summary(robots: &[CostRow], this: &Answer) -> Option<String> {
     match (lose, gain) {
         (0, 0) => None,
         (_, 0) => Some(pay),
-        (_, gain) => Some(tr!("{pay}, {n} gains" | "{pay}, {n} gain" % gain, pay)),
+        (_, gain) => Some(tr!(
+            "{pay}, {n} robot gains" | "{pay}, {n} robots gain" % gain,
+            pay
+        )),
     }
 }
 

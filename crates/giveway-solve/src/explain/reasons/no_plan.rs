@@ -68,6 +68,7 @@ pub(crate) fn of_no_plan(
             instance,
             within,
             objective: instance.objective(),
+            plan: None,
             asked: &[],
             arriving: None,
             reach,

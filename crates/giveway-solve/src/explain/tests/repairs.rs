@@ -1,6 +1,6 @@
 //! What would help, by a solver that says as little as is told to it.
 
-use giveway_model::{Cell, Plan};
+use giveway_model::{Cell, Costs, Plan};
 
 use crate::{
     explain::{
@@ -17,6 +17,20 @@ use crate::{
 /// best.
 struct Finds {
     proves: bool,
+    /// What its plans cost.
+    costs: Costs,
+    /// Whether a known plan is as asked for.
+    accepts: bool,
+}
+
+impl Finds {
+    fn plans(proves: bool) -> Self {
+        Self {
+            proves,
+            costs: Costs::default(),
+            accepts: false,
+        }
+    }
 }
 
 impl Inquiry for Finds {
@@ -37,7 +51,7 @@ impl Inquiry for Finds {
     }
 
     fn accepts(&self, _: &Variant, _: &Plan) -> bool {
-        false
+        self.accepts
     }
 
     fn is_over(&self) -> bool {
@@ -49,7 +63,7 @@ impl Solver for Finds {
     fn best(&mut self, _: &Variant) -> Option<EditedPlan> {
         Some(EditedPlan {
             plan: Plan::default(),
-            costs: giveway_model::Costs::default(),
+            costs: self.costs,
             proved: self.proves,
         })
     }
@@ -67,6 +81,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             instance: &instance,
             within: None,
             objective: instance.objective(),
+            plan: None,
             asked: &[],
             arriving: None,
             reach: crate::search::Proved::Within(20),
@@ -74,7 +89,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             suspects: Vec::new(),
             whole: WholePlan::default(),
         };
-        let found = repairs(&broken, &mut Finds { proves });
+        let found = repairs(&broken, &mut Finds::plans(proves));
         assert_eq!(found.first.len(), 1);
         assert_eq!(found.exhaustive, proves);
     }
@@ -88,6 +103,7 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
         instance: &instance,
         within: None,
         objective: instance.objective(),
+        plan: None,
         asked: &[],
         arriving: None,
         reach: crate::search::Proved::Within(4),
@@ -95,7 +111,7 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
         suspects: vec![Group::Task(0), Group::Battery(0)],
         whole: WholePlan::default(),
     };
-    let found = repairs(&broken, &mut Finds { proves: true });
+    let found = repairs(&broken, &mut Finds::plans(true));
     let edits: Vec<_> = found.first.iter().flat_map(|it| &it.edits).collect();
     assert_eq!(
         edits,
@@ -104,4 +120,44 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
         }]
     );
     assert!(!found.exhaustive && found.further == 0);
+}
+
+/// Where the plan that is found is not proved to be the best, and what is left of the plan that is
+/// asked about costs less, it is that.
+#[test]
+fn what_is_left_of_the_plan_is_no_worse() {
+    let instance = instance("a # A\nb . B");
+    let path = |y| (0..3).map(|x| Some(Cell::new(x, y))).collect::<Vec<_>>();
+    let plan = Plan {
+        paths: [("a".to_owned(), path(0)), ("b".to_owned(), path(1))].into(),
+        ..Plan::default()
+    };
+    let dear = Costs {
+        makespan: 9,
+        ..Costs::default()
+    };
+    for (proves, accepts, makespan) in [(false, true, 2), (true, true, 9), (false, false, 9)] {
+        let broken = Unsolved {
+            instance: &instance,
+            within: None,
+            objective: instance.objective(),
+            plan: Some(&plan),
+            asked: &[],
+            arriving: None,
+            reach: crate::search::Proved::Within(4),
+            cores: Vec::new(),
+            suspects: vec![Group::Task(0)],
+            whole: WholePlan::default(),
+        };
+        let mut finds = Finds {
+            costs: dear,
+            accepts,
+            ..Finds::plans(proves)
+        };
+        let found = repairs(&broken, &mut finds);
+        assert_eq!(
+            found.first[0].costs.makespan, makespan,
+            "{proves} {accepts}"
+        );
+    }
 }

@@ -38,8 +38,8 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&L
     // What it would run into may lie long before the cell, and be about others.
     if let (Question::Yield { to, at, .. }, Some(first)) = (case.question, here.passing.first()) {
         return tr!(
-            "{to} is at {at} first, at time {time}. If only {agent} changed its way to be there \
-             before, it would {what}.",
+            "{to} is at {at} first, at time {time}. On its shortest way to be there before, {agent} \
+             would {what}.",
             to,
             at,
             time = first.time,
@@ -49,7 +49,7 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&L
     }
     if !matches!(case.question, Question::Wait { .. }) {
         tr!(
-            "If only {agent} changed its way, it would {what}.",
+            "On its shortest way like that, {agent} would {what}.",
             agent,
             what
         )
