@@ -151,19 +151,30 @@ impl Answer {
     /// How far the search for the best plan proved on this page that none is better: of its own plan
     /// in a world that does not change.
     pub(crate) fn proved_here(&self) -> Option<Reach> {
-        self.proved_best().map(|proved| proved.reach)
+        let searched = self
+            .has_own_search()
+            .then_some(self.solved.reach)
+            .or(self.proved_by_bounds);
+        searched.filter(|_| self.solved.status == Status::Optimal)
     }
 
     /// The same, with what that proof leaves the robots.
     pub(crate) fn proved_best(&self) -> Option<ProvedBest> {
+        let reach = self.proved_here()?;
+        Some(if self.has_own_search() {
+            ProvedBest::by_search(&self.solved)
+        } else {
+            reach.into()
+        })
+    }
+
+    /// Whether it is of a search of this page for the best plan of a world that does not change.
+    fn has_own_search(&self) -> bool {
         // What a link or the browser's store says is no proof: only a search of this page has a trace.
-        let is_own = self.is_searched()
+        self.is_searched()
             && self.by.is_none()
             && self.course.is_none()
-            && self.solved.trace.is_some();
-        let searched = is_own.then(|| ProvedBest::by_search(&self.solved));
-        let proved = searched.or(self.proved_by_bounds.map(ProvedBest::from));
-        proved.filter(|_| self.solved.status == Status::Optimal)
+            && self.solved.trace.is_some()
     }
 
     /// The index, in the draft that was solved, of an agent of another draft.
