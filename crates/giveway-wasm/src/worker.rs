@@ -72,7 +72,10 @@ fn answer(bytes: &[u8], serve: Serve, post: &dyn Fn(&Message)) {
             let response = serve(&within_budget(request), &host as &dyn Host);
             AT.set(None);
             post(&match response {
-                Some(response) => Message::Answer { id, response },
+                Some(response) => Message::Answer {
+                    id,
+                    response: Box::new(response),
+                },
                 None => Message::Failed {
                     id: Some(id),
                     sentence: "This program only finds plans and follows changes.".to_owned(),

@@ -69,7 +69,7 @@ pub(super) fn Cells(props: &CellsProps) -> Html {
     let named = Named(props.clone());
     let rows = use_memo(named, |Named(props)| names(props));
     let selected = selected(props);
-    let row = |row: &Rc<[(Cell, AttrValue)]>| {
+    let row = |row: &Rc<Vec<(Cell, AttrValue)>>| {
         let y = row.first().map_or(0, |(cell, _)| cell.y);
         let selected: Vec<Cell> = selected
             .iter()
@@ -91,7 +91,7 @@ impl PartialEq for Named {
 }
 
 /// The cells in the window with their names, row by row.
-fn names(props: &CellsProps) -> Vec<Rc<[(Cell, AttrValue)]>> {
+fn names(props: &CellsProps) -> Vec<Rc<Vec<(Cell, AttrValue)>>> {
     let names = CellNames::new(&props.cast, props.time, props.draft.problems());
     let names = names.ruled(props.draft.scene(), props.time, &props.window);
     let names = names.noting(&props.notes);
@@ -100,7 +100,7 @@ fn names(props: &CellsProps) -> Vec<Rc<[(Cell, AttrValue)]>> {
             let cell = Cell::new(x, y);
             (cell, AttrValue::from(names.name(props.draft.grid(), cell)))
         };
-        props.window.columns().map(cell).collect()
+        Rc::new(props.window.columns().map(cell).collect())
     };
     props.window.rows().map(row).collect()
 }
@@ -120,7 +120,7 @@ fn selected(props: &CellsProps) -> Vec<Cell> {
 #[derive(Clone, PartialEq, Properties)]
 struct RowProps {
     of: &'static str,
-    cells: Rc<[(Cell, AttrValue)]>,
+    cells: Rc<Vec<(Cell, AttrValue)>>,
     /// Those of them that are selected.
     selected: Vec<Cell>,
 }

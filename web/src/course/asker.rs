@@ -76,7 +76,6 @@ impl Asker {
                 if self.0.asked.get() == Some(number) {
                     self.0.asked.set(None);
                     self.0.client.finish();
-                    let response = Box::new(response);
                     self.0.send.emit(Action::Answered { number, response });
                 }
             }

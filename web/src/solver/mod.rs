@@ -148,7 +148,6 @@ impl Solver {
                 {
                     self.client(name).finish();
                     self.forget_news();
-                    let response = Box::new(response);
                     let respond = WorkerAction::Respond { job, response };
                     self.0.send.emit(Action::Worker(respond));
                 }

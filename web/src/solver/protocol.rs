@@ -14,7 +14,7 @@ pub(crate) enum Told {
     /// Something became known.
     Progress { id: u32, event: Progress },
     /// The answer.
-    Answer { id: u32, response: Response },
+    Answer { id: u32, response: Box<Response> },
 }
 
 impl Protocol for Solving {

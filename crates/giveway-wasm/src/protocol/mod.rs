@@ -43,7 +43,7 @@ pub enum Message {
         /// Of the [`Ask`].
         id: u32,
         /// The answer; an error is one, too.
-        response: Response,
+        response: Box<Response>,
     },
     /// A fault of the program; the worker is of no more use.
     Failed {

@@ -35,6 +35,7 @@ fn check_message(message: &Message) {
 }
 
 fn check_response(response: Response) {
+    let response = Box::new(response);
     check_message(&Message::Answer { id: 7, response });
 }
 
