@@ -33,17 +33,11 @@ pub(super) struct CellsProps {
 
 impl PartialEq for CellsProps {
     fn eq(&self, other: &Self) -> bool {
-        self.has_names_of(other) && self.selection == other.selection
-    }
-}
-
-impl CellsProps {
-    /// Whether the cells have the same names: these do not tell what is selected.
-    fn has_names_of(&self, other: &Self) -> bool {
         Rc::ptr_eq(&self.draft, &other.draft)
             && Rc::ptr_eq(&self.cast, &other.cast)
             && self.time == other.time
             && self.window == other.window
+            && self.selection == other.selection
             && self.notes == other.notes
     }
 }
@@ -66,43 +60,20 @@ pub(super) fn use_window(cursor: Cell, frame: Frame, board: (u32, u32)) -> Windo
 /// The rows in the window.
 #[component]
 pub(super) fn Cells(props: &CellsProps) -> Html {
-    let named = Named(props.clone());
-    let rows = use_memo(named, |Named(props)| names(props));
-    let selected = selected(props);
-    let row = |row: &Rc<Vec<(Cell, AttrValue)>>| {
-        let y = row.first().map_or(0, |(cell, _)| cell.y);
-        let selected: Vec<Cell> = selected
-            .iter()
-            .copied()
-            .filter(|cell| cell.y == y)
-            .collect();
-        html! { <Row key={y} of={props.of} cells={Rc::clone(row)} {selected} /> }
-    };
-    html! { { for rows.iter().map(row) } }
-}
-
-/// What the names of the cells follow from.
-struct Named(CellsProps);
-
-impl PartialEq for Named {
-    fn eq(&self, Self(other): &Self) -> bool {
-        self.0.has_names_of(other)
-    }
-}
-
-/// The cells in the window with their names, row by row.
-fn names(props: &CellsProps) -> Vec<Rc<Vec<(Cell, AttrValue)>>> {
     let names = CellNames::new(&props.cast, props.time, props.draft.problems());
     let names = names.ruled(props.draft.scene(), props.time, &props.window);
     let names = names.noting(&props.notes);
+    let selected = selected(props);
     let row = |y: u32| {
         let cell = |x: u32| {
             let cell = Cell::new(x, y);
-            (cell, AttrValue::from(names.name(props.draft.grid(), cell)))
+            let name = AttrValue::from(names.name(props.draft.grid(), cell));
+            (cell, name, selected.contains(&cell))
         };
-        Rc::new(props.window.columns().map(cell).collect())
+        let cells: Vec<_> = props.window.columns().map(cell).collect();
+        html! { <Row key={y} of={props.of} {cells} /> }
     };
-    props.window.rows().map(row).collect()
+    html! { { for props.window.rows().map(row) } }
 }
 
 /// The cells that are selected: one, or those where the selected agent is.
@@ -120,16 +91,13 @@ fn selected(props: &CellsProps) -> Vec<Cell> {
 #[derive(Clone, PartialEq, Properties)]
 struct RowProps {
     of: &'static str,
-    cells: Rc<Vec<(Cell, AttrValue)>>,
-    /// Those of them that are selected.
-    selected: Vec<Cell>,
+    cells: Vec<(Cell, AttrValue, bool)>,
 }
 
 #[component]
 fn Row(props: &RowProps) -> Html {
-    let row = props.cells.first().map_or(0, |(cell, _)| cell.y + 1);
-    let cell = |(cell, name): &(Cell, AttrValue)| {
-        let is_selected = props.selected.contains(cell);
+    let row = props.cells.first().map_or(0, |(cell, ..)| cell.y + 1);
+    let cell = |(cell, name, is_selected): &(Cell, AttrValue, bool)| {
         html! {
             <rect class="cell" role="gridcell" id={id(props.of, *cell)} aria-label={name}
                 aria-colindex={(cell.x + 1).to_string()}
