@@ -14,7 +14,8 @@ use crate::{
     impose::{ImposeError, limit_costs},
     problem::{Problem, ProblemError, Relaxed},
     search::{
-        Bounded, ClosestEnd, Extent, Given, GivenWalk, Horizon, Proved, closest as search_closest,
+        Bounded, ClosestEnd, ClosestInput, Extent, GivenWalk, Horizon, Proved,
+        closest as search_closest,
     },
     walk::to_plan,
 };
@@ -184,7 +185,7 @@ fn with(
     if let Some(proved) = latest.and_then(|latest| latest.refute(&problem)) {
         return BranchOutcome::None(Some(proved));
     }
-    let given = Given {
+    let given = ClosestInput {
         before: &before,
         bounded: &bounded,
         latest,

@@ -81,7 +81,7 @@ pub(super) struct NoneCloser(());
 
 /// The fixed input of a search for the closest plan.
 #[derive(Clone, Copy)]
-pub(crate) struct Given<'a> {
+pub(crate) struct ClosestInput<'a> {
     /// The plan to be close to, agent by agent.
     pub(crate) before: &'a [GivenWalk],
     pub(crate) bounded: &'a Bounded,
@@ -95,11 +95,11 @@ pub(crate) struct Given<'a> {
 /// When the budget is spent before there is any.
 pub(crate) fn closest(
     problem: &Problem,
-    given: Given,
+    given: ClosestInput,
     extent: Extent,
     budget: &Rc<Budget>,
 ) -> Result<ClosestEnd, Stop> {
-    let Given {
+    let ClosestInput {
         before, bounded, ..
     } = given;
     let objective = giveway_model::Objective::default();

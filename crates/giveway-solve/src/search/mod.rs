@@ -44,7 +44,7 @@ mod team;
 mod tests;
 
 pub(crate) use aim::{Aim, Bounded, Contact, Verdict};
-pub(crate) use closest::{ClosestEnd, Extent, Given, GivenWalk, closest};
+pub(crate) use closest::{ClosestEnd, ClosestInput, Extent, GivenWalk, closest};
 pub(crate) use earlier::EarlierOptima;
 pub(crate) use for_ever::{ForEver, NoPlan, Proved, reach_of_best_plans, reach_of_bounds};
 pub(crate) use horizon::Horizon;

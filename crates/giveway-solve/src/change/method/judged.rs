@@ -8,7 +8,7 @@ use super::MethodFound;
 use crate::{
     change::{Method, compare::compare, method_case::MethodCase},
     problem::Problem,
-    search::{Bounded, Extent, Given, GivenWalk, closest},
+    search::{Bounded, ClosestInput, Extent, GivenWalk, closest},
     walk::{Walk, of_path, to_plan},
 };
 
@@ -34,7 +34,7 @@ pub(super) fn disturb_few(
         limits: sorting::map(objective.map(|&cost| (cost, costs.get(cost)))),
     };
     let is_proved = found.verdict.stop.is_none();
-    let given = Given {
+    let given = ClosestInput {
         before: &before,
         bounded: &bounded,
         latest: found.verdict.latest.as_ref().filter(|_| is_proved),

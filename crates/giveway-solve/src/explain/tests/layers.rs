@@ -165,7 +165,7 @@ fn who_is_first_is_told_before_what_would_happen() {
             };
             let time = here.passing[0].time;
             let start = format!(
-                "{to} is at {at} first, at time {time}. On its shortest way to be there before, \
+                "{to} is at {at} first, at time {time}. On its quickest way to be there before, \
                  {agent} would "
             );
             assert!(here.words.starts_with(&start), "{seed} {}", here.words);

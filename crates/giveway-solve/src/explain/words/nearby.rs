@@ -38,7 +38,7 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&L
     // What it would run into may lie long before the cell, and be about others.
     if let (Question::Yield { to, at, .. }, Some(first)) = (case.question, here.passing.first()) {
         return tr!(
-            "{to} is at {at} first, at time {time}. On its shortest way to be there before, {agent} \
+            "{to} is at {at} first, at time {time}. On its quickest way to be there before, {agent} \
              would {what}.",
             to,
             at,
@@ -49,7 +49,7 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&L
     }
     if !matches!(case.question, Question::Wait { .. }) {
         tr!(
-            "On its shortest way like that, {agent} would {what}.",
+            "On its quickest way like that, {agent} would {what}.",
             agent,
             what
         )
