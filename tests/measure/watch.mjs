@@ -56,6 +56,23 @@ export function solveUntil(pattern) {
   });
 }
 
+/** Milliseconds from a click on `Cancel` until `Go on` is seen. */
+export function cancelUntilGoOn() {
+  const button = (name) => [...document.querySelectorAll("button")].find((button) => button.textContent.trim() === name);
+  return new Promise((resolve) => {
+    const begin = performance.now();
+    button("Cancel").click();
+    const look = () => {
+      if (button("Go on")) {
+        resolve(performance.now() - begin);
+      } else {
+        requestAnimationFrame(look);
+      }
+    };
+    requestAnimationFrame(look);
+  });
+}
+
 /**
  * Presses `Solve` as soon as it is there, and notes when the solver has answered: added
  * before the page's own scripts.

@@ -2,16 +2,20 @@
 
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Mutex, PoisonError};
 
 use giveway_formats::convert;
 use giveway_model::format::{from_object, native, schema};
 use giveway_model::question::from_words;
 use giveway_model::{Fault, Instance, Plan, Scene, compare};
 use giveway_proof::Bundle;
-use giveway_solve::{Host, Limits, Refusal, Request, Response, serve, verify};
+use giveway_solve::{Host, Limits, Proofs, Refusal, Request, Response, serve, verify};
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 
 use crate::{export, files, sweep};
+
+/// What this module proved so far, for questions about its plans.
+static PROOFS: Mutex<Proofs> = Mutex::new(Proofs::new());
 
 /// What kind of thing is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -118,7 +122,11 @@ fn called(function: &str, text: &str, host: &dyn Host) -> Result<String, Failure
             return Err(Failure::input(Fault::at("", found, "one of this package")));
         }
     };
-    respond(serve(&request, host))
+    let kept = || PROOFS.lock().unwrap_or_else(PoisonError::into_inner);
+    let request = kept().completed(request);
+    let response = serve(&request, host);
+    kept().keep(request, &response);
+    respond(response)
 }
 
 fn respond(response: Response) -> Result<String, Failure> {

@@ -58,7 +58,7 @@ pub use proved_best::ProvedBest;
 pub use reach::Reach;
 pub use reason::Reason;
 pub use request::{Basic, CheckRequest, Limits, Request, SolveRequest};
-pub use service::{Refusal, Response, serve, serve_basic};
+pub use service::{Proofs, Refusal, Response, serve, serve_basic};
 pub use thresholds::Thresholds;
 pub use verify::verify;
 

@@ -1,5 +1,6 @@
 //! The one door of the solver: requests in, progress and a response out.
 
+mod proofs;
 mod refusal;
 mod response;
 
@@ -20,6 +21,7 @@ use crate::{
     together,
 };
 
+pub use proofs::Proofs;
 pub use refusal::Refusal;
 pub use response::Response;
 

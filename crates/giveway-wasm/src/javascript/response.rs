@@ -1,6 +1,8 @@
 //! Requests served, and their responses as objects or as errors that are thrown.
 
-use giveway_solve::{Host, Progress, Refusal, Request, Response, serve};
+use std::cell::RefCell;
+
+use giveway_solve::{Host, Progress, Proofs, Refusal, Request, Response, serve};
 use serde::de::DeserializeOwned;
 use wasm_bindgen::JsValue;
 
@@ -35,8 +37,16 @@ pub(super) fn with_callbacks(
     }
 }
 
+thread_local! {
+    /// What this program proved so far, for questions about its plans.
+    static PROOFS: RefCell<Proofs> = const { RefCell::new(Proofs::new()) };
+}
+
 pub(super) fn respond(request: Request, host: &dyn Host) -> Result<JsValue, JsValue> {
-    answered(serve(&within_budget(request), host))
+    let request = PROOFS.with_borrow(|proofs| proofs.completed(within_budget(request)));
+    let response = serve(&request, host);
+    PROOFS.with_borrow_mut(|proofs| proofs.keep(request, &response));
+    answered(response)
 }
 
 pub(super) fn answered(response: Response) -> Result<JsValue, JsValue> {

@@ -1,6 +1,7 @@
 //! Questions on warehouse floors of a real size: when each layer of the answer is there, and how
 //! large its reason is.
 
+mod kept;
 mod scenes;
 mod tell;
 
@@ -71,6 +72,7 @@ impl Host for Watch {
 
 /// What one answer came to: the CPU seconds of each layer by itself, and the answer.
 struct Asked {
+    question: Question,
     here: f64,
     near: f64,
     verdict: f64,
@@ -117,6 +119,7 @@ struct Floor {
     /// CPU seconds for the plan.
     seconds: f64,
     is_best: bool,
+    plan: Plan,
     asked: Vec<Asked>,
 }
 
@@ -142,13 +145,14 @@ pub(crate) fn table(
             let name = file.file_stem().unwrap_or_default().to_string_lossy();
             all.push(asked_about(name.into_owned(), read(file)?, seconds)?);
         }
-        return Ok(tell::tables(&all, seconds));
+    } else {
+        for seed in 1..=floors {
+            let scene = scenes::floor(seed)?;
+            let instance = Instance::new(scene).map_err(|faults| format!("{seed}: {faults:?}"))?;
+            all.push(asked_about(format!("floor {seed}"), instance, seconds)?);
+        }
     }
-    for seed in 1..=floors {
-        let scene = scenes::floor(seed)?;
-        let instance = Instance::new(scene).map_err(|faults| format!("{seed}: {faults:?}"))?;
-        all.push(asked_about(format!("floor {seed}"), instance, seconds)?);
-    }
+    kept::write(&all)?;
     Ok(tell::tables(&all, seconds))
 }
 
@@ -201,6 +205,7 @@ fn asked_about(name: String, instance: Instance, limit: f64) -> Result<Floor, Bo
         instance,
         seconds,
         is_best,
+        plan,
         asked,
     })
 }
@@ -238,7 +243,7 @@ fn ask(
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),
         plan: Some(plan.clone()),
-        question,
+        question: question.clone(),
         changes: None,
         at: None,
         objective: None,
@@ -258,6 +263,7 @@ fn ask(
     // Where the verdict is there before the best other plan is known, the reason comes first.
     let before = |mine: f64, other: f64| if other < mine { other } else { verdict };
     Ok(Asked {
+        question,
         here: time(Part::Here),
         near: time(Part::Near) - time(Part::Here),
         verdict: verdict - time(Part::Near),

@@ -75,8 +75,12 @@ impl Surface {
                 let cell = self.nearest_cell(self.frame.point(from));
                 self.send.emit(Action::Area(area));
                 Act::Paint(cell)
-            } else if self.paints() || self.holds(from, event) {
+            } else if self.paints() {
                 self.begin_stroke(from, event)
+            } else if self.holds(from, event) {
+                // To select it is work enough for this frame: the next event moves it.
+                hand.act = self.begin_stroke(from, event);
+                return;
             } else if self.agent_at(from, time).is_none() && !self.is_fit {
                 Act::Pan(from)
             } else {
@@ -107,7 +111,10 @@ impl Surface {
         match act {
             // The finger has been told of the cell.
             Act::Pressed(_) if self.pointer.rests.take() => {}
-            Act::Paint(_) => self.send.emit(Action::Board(BoardAction::Release)),
+            Act::Paint(last) => {
+                self.stroke(last, event);
+                self.send.emit(Action::Board(BoardAction::Release));
+            }
             Act::Pressed(at) if self.paints() => {
                 if let Act::Paint(_) = self.begin_stroke(at, event) {
                     self.send.emit(Action::Board(BoardAction::Release));

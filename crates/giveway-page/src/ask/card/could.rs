@@ -136,7 +136,8 @@ fn is_done(asking: &Asking) -> bool {
 }
 
 /// The cells at which the wait costs as little as at the cheapest, each with whether it is the one
-/// that is looked at; the cell closest to the wait of now is the first.
+/// that is looked at; the cell closest to the wait of now is the first. None where a variation of
+/// another kind is looked at.
 pub(crate) fn instead(asking: &Asking) -> Vec<(Cell, bool)> {
     let Some(near) = near(asking) else {
         return Vec::new();
@@ -145,7 +146,11 @@ pub(crate) fn instead(asking: &Asking) -> Vec<(Cell, bool)> {
     let Some(first) = variations.find(|it| it.kind == VariationKind::Elsewhere) else {
         return Vec::new();
     };
-    let chosen = asking.variation().or_else(|| best(asking, near));
+    let chosen = asking.variation();
+    if chosen.is_some_and(|chosen| chosen.kind != VariationKind::Elsewhere) {
+        return Vec::new();
+    }
+    let chosen = chosen.or_else(|| best(asking, near));
     let lit = chosen.map_or(first.cell, |chosen| chosen.cell);
     let cells = cells(near, first).into_iter().take(CELLS);
     cells.map(|cell| (cell, Some(cell) == lit)).collect()
@@ -234,8 +239,21 @@ fn difference(asking: &Asking, deltas: &BTreeMap<Cost, i64>, is_least: bool) -> 
     let delta = |cost: &Cost| deltas.get(cost).copied().filter(|&delta| delta != 0);
     match costs.copied().find_map(|cost| Some((cost, delta(&cost)?))) {
         None => (tr!("a cost is the" => "same").to_owned(), false),
-        Some((cost, more)) if more > 0 && is_least => (words::by(cost, more), true),
-        Some((cost, more)) if more > 0 => (tr!("at most {by}", by = words::by(cost, more)), true),
-        Some((cost, less)) => (words::by(cost, less), false),
+        Some((cost, more)) if more > 0 && is_least => (by(cost, more), true),
+        Some((cost, more)) if more > 0 => (tr!("at most {by}", by = by(cost, more)), true),
+        Some((cost, less)) => (by(cost, less), false),
+    }
+}
+
+/// The same with the name of every cost: beside who arrives how much later, steps alone are nobody's.
+fn by(cost: Cost, delta: i64) -> String {
+    match cost {
+        Cost::Makespan => {
+            let by = format!("{delta:+}").replace('-', "\u{2212}");
+            tr!("a difference" => "{by} in the makespan", by)
+        }
+        Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
+            words::by(cost, delta)
+        }
     }
 }

@@ -161,7 +161,7 @@ fn a_row_of_what_it_could_do_is_the_other_plan() {
         rows,
         [
             ("Wait at any of 2 cells", "same"),
-            ("Go first, and A2 waits instead", "at most +5 steps")
+            ("Go first, and A2 waits instead", "at most +5 in the makespan")
         ]
     );
     let cells: Vec<Cell> = reasons(&state).instead.iter().map(|it| it.cell).collect();
@@ -170,6 +170,8 @@ fn a_row_of_what_it_could_do_is_the_other_plan() {
     let chosen = after(&state, [Action::Ask(AskAction::Choose(Some(3)))]);
     let makespan = |state: &State| card(state).unwrap().pays.unwrap().costs[0].other;
     assert_eq!((makespan(&state), makespan(&chosen)), (22, 23));
+    // Where it goes first instead, it waits at none of these cells.
+    assert_eq!(reasons(&chosen).instead, []);
     // It stays chosen where more become known before it.
     let more = [vec![slide(&start, Cell::new(5, 2), 0)], all].concat();
     let later = hear(&chosen, near(&start, 4, more));
