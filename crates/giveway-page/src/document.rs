@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use giveway_model::{Agent, Plan};
 use giveway_proof::Report;
+use giveway_solve::SolveAnswer;
 
 use crate::course::World;
 use crate::freedom::Freedom;
@@ -155,6 +156,37 @@ impl Document {
                 self.fresh_answer()?.world(time)
             }
         }
+    }
+
+    /// The same, where more is proved of the answer than before. What is about that answer stays
+    /// about it.
+    pub(crate) fn reproved(mut self, solved: SolveAnswer) -> Self {
+        let Some(before) = self.answer.take() else {
+            return self;
+        };
+        let answer = Rc::new(Answer {
+            solved,
+            ..(*before).clone()
+        });
+        let turn = |about: &mut Rc<Answer>| {
+            if Rc::ptr_eq(about, &before) {
+                *about = Rc::clone(&answer);
+            }
+        };
+        if let Some((about, _)) = &mut self.checked {
+            turn(about);
+        }
+        if let Some(ledger) = &mut self.found_ledger {
+            turn(&mut Rc::make_mut(ledger).about);
+        }
+        if let Some(order) = &mut self.found_order {
+            turn(&mut Rc::make_mut(order).about);
+        }
+        for asking in Rc::make_mut(&mut self.asked) {
+            turn(&mut Rc::make_mut(asking).about);
+        }
+        self.answer = Some(answer);
+        self
     }
 
     /// The agents of the scene.

@@ -7,9 +7,9 @@ mod verdict;
 
 use std::rc::Rc;
 
-use giveway_model::{Question, tr};
+use giveway_model::{Cost, Question, tr};
 use giveway_solve::delays::{DelaysAnswer, DelaysRequest};
-use giveway_solve::{Limits, Status};
+use giveway_solve::{Limits, SolveAnswer, Status};
 
 use crate::{Activity, Answer, Document, Selection, State, Task};
 
@@ -103,6 +103,18 @@ impl Ledger {
         told.is_some_and(|told| {
             !self.is_of_report || (is_proved(&self.about) && told.reason.is_none())
         })
+    }
+
+    /// What is known of the plan, where the proof of a ledger says more of the sum of costs than
+    /// the search for the plan did.
+    pub(crate) fn raised(&self, told: &DelaysAnswer) -> Option<SolveAnswer> {
+        let mut solved = Some(&self.about)
+            .filter(|it| it.is_searched())?
+            .solved
+            .clone();
+        let bound = told.raised_bound(&solved)?;
+        solved.bounds.insert(Cost::SumOfCosts, bound);
+        Some(solved)
     }
 
     /// Takes in what became known. The bounds of the plan prove a part of it, or all.

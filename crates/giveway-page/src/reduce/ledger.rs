@@ -97,12 +97,16 @@ fn put(state: &mut State, ledger: Ledger) {
     amend(state, document);
 }
 
-/// More became known.
+/// More became known, of the plan itself, too.
 pub(super) fn learn(state: &mut State, told: DelaysAnswer) {
     if let Some(known) = state.document.ledger() {
+        let raised = known.raised(&told);
         let mut known = (**known).clone();
         known.learn(told);
         put(state, known);
+        if let Some(solved) = raised {
+            amend(state, state.document.clone().reproved(solved));
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Who costs whom, with the solver's own answers: opened, read, looked at, left.
 
-use giveway_model::{Agent, Cell, Question, Scene};
+use giveway_model::{Agent, Cell, Cost, Question, Scene};
 use giveway_solve::{Ended, Response, Status};
 
 use super::{answer, answered, saying, seek, select};
@@ -224,8 +224,8 @@ fn it_is_of_the_plan_on_the_board_alone() {
     assert!(heat(&looked).is_some());
 }
 
-#[test]
-fn what_is_not_proved_is_open() {
+/// The plan of a search that was stopped one step below the sum of costs, and that sum.
+fn one_below() -> (State, u32) {
     let state = corridor();
     let solving = after(&state, [Action::Solve(SolveAction::Solve)]);
     let solving = if solving.work.is_idle() {
@@ -240,18 +240,22 @@ fn what_is_not_proved_is_open() {
     let Response::Solved(mut solved) = *response else {
         panic!("{response:?}");
     };
-    // The search was stopped one step below the sum of costs.
     solved.status = Status::Feasible;
     solved.ended = Some(Ended::Time);
+    solved.reach = solved.reach.of_bounds();
     let sum = solved.costs.unwrap().sum_of_costs;
-    solved
-        .bounds
-        .insert(giveway_model::Cost::SumOfCosts, sum - 1);
+    solved.bounds.insert(Cost::SumOfCosts, sum - 1);
     let response = Box::new(Response::Solved(solved));
     let stopped = after(
         &solving,
         [Action::Worker(WorkerAction::Respond { job, response })],
     );
+    (stopped, sum)
+}
+
+#[test]
+fn what_is_not_proved_is_open() {
+    let (stopped, sum) = one_below();
     let begun = after(&stopped, [OPEN]);
     let ledger = begun.ledger().unwrap();
     assert!(!ledger.request.ledger_only, "the search goes on");
@@ -267,4 +271,19 @@ fn what_is_not_proved_is_open() {
     known.learn(*told);
     let proof = known.told.unwrap().proof.clone().unwrap();
     assert_eq!(proof.at_least, sum - 15 - 1);
+}
+
+#[test]
+fn what_it_proves_is_known_of_the_plan_from_then_on() {
+    let (stopped, sum) = one_below();
+    let question = Action::Ask(AskAction::Ask(Question::Makespan));
+    let asked = answered(&after(&stopped, [question]));
+    let about = asked.document.asked.len();
+    let told = answered(&after(&asked, [OPEN]));
+    let answer = told.document.answer.as_ref().unwrap();
+    assert_eq!(answer.solved.bounds[&Cost::SumOfCosts], sum);
+    // The ledger and what was asked are still about the plan on the board.
+    assert!(told.document.ledger().is_some_and(|it| it.is_whole()));
+    let mut asked = told.document.asked.iter();
+    assert!(about > 0 && asked.all(|it| std::rc::Rc::ptr_eq(&it.about, answer)));
 }

@@ -32,14 +32,10 @@ impl DelaysAnswer {
             return;
         };
         let given = given(&self.objective, &costs);
-        let bound = |cost: &Cost| known.bounds.get(cost).copied();
-        let is_same = given
-            .iter()
-            .all(|(cost, value)| bound(cost) == Some(*value));
-        if !is_same || !self.objective.costs().contains(&Cost::SumOfCosts) {
+        if !proves(known, &given) || !self.objective.costs().contains(&Cost::SumOfCosts) {
             return;
         }
-        let Some(bound) = bound(&Cost::SumOfCosts) else {
+        let Some(&bound) = known.bounds.get(&Cost::SumOfCosts) else {
             return;
         };
         let keeps = |other: &Costs| given.iter().all(|(&cost, &value)| other.get(cost) <= value);
@@ -55,6 +51,23 @@ impl DelaysAnswer {
         self.pending = false;
         self.words = words::all(self);
     }
+
+    /// The least sum of costs of the best plans, where this proves more of it than the answer to a
+    /// solve request for the same scene and objective.
+    pub fn raised_bound(&self, known: &SolveAnswer) -> Option<u32> {
+        let is_wanted = self.objective.costs().contains(&Cost::SumOfCosts) && self.since.is_none();
+        let proof = self.proof.as_ref().filter(|_| is_wanted)?;
+        let is_of_both = proof.reach.of_bounds() == known.reach.of_bounds();
+        let bound = known.bounds.get(&Cost::SumOfCosts).copied();
+        let least = self.alone + proof.at_least;
+        (is_of_both && proves(known, &proof.given) && Some(least) > bound).then_some(least)
+    }
+}
+
+/// Whether an answer proves that no plan has less of any of these costs.
+fn proves(known: &SolveAnswer, given: &BTreeMap<Cost, u32>) -> bool {
+    let mut given = given.iter();
+    given.all(|(cost, value)| known.bounds.get(cost) == Some(value))
 }
 
 /// The costs before the sum of costs, or all where it is none of the objective, with the values

@@ -144,7 +144,12 @@ fn the_best_plan_is_among_what_it_could_do() {
         rows,
         [
             (None, "The best that was found", "+1 in the makespan", true),
-            (Some(0), "Go another way", "at most +3 in the makespan", false)
+            (
+                Some(0),
+                "Go another way",
+                "at most +3 in the makespan",
+                false
+            )
         ]
     );
     assert_eq!(shown.could[0].detail, "A2 arrives at 11, 1 later");

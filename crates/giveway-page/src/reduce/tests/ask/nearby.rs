@@ -161,7 +161,10 @@ fn a_row_of_what_it_could_do_is_the_other_plan() {
         rows,
         [
             ("Wait at any of 2 cells", "same"),
-            ("Go first, and A2 waits instead", "at most +5 in the makespan")
+            (
+                "Go first, and A2 waits instead",
+                "at most +5 in the makespan"
+            )
         ]
     );
     let cells: Vec<Cell> = reasons(&state).instead.iter().map(|it| it.cell).collect();
