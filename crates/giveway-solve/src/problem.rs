@@ -93,10 +93,24 @@ impl Problem {
         conditions: impl IntoIterator<Item = &'a Condition>,
         budget: &Budget,
     ) -> Result<Self, ImposeError> {
+        Self::under(instance, (relaxed, Vec::new()), conditions, budget)
+    }
+
+    /// The same with bounds on where the agents may go, in their order, and with conditions.
+    ///
+    /// # Errors
+    /// As [`Problem::new`], and where a condition cannot be imposed.
+    pub(crate) fn under<'a>(
+        instance: &Instance,
+        (relaxed, bounds): (Relaxed, Vec<Bounds>),
+        conditions: impl IntoIterator<Item = &'a Condition>,
+        budget: &Budget,
+    ) -> Result<Self, ImposeError> {
         let conditions: Vec<&Condition> = conditions.into_iter().collect();
         let with_rules = with_rules(instance, conditions.iter().copied());
         let instance = with_rules.as_ref().unwrap_or(instance);
-        let mut problem = Self::of(planners::Problem::relaxed(instance, relaxed, budget)?);
+        let planners = planners::Problem::bounded(instance, relaxed, bounds, budget)?;
+        let mut problem = Self::of(planners);
         for condition in conditions {
             impose(condition, instance, &mut problem, budget)?;
         }

@@ -1,13 +1,47 @@
 //! The walk of one agent alone that breaks the fewest rules against the plan of all others.
 
-use giveway_model::Plan;
+use std::rc::Rc;
+
+use giveway_model::{Condition, Instance, Plan};
 
 use crate::{
     budget::{Budget, Stop},
     local::{OtherAgents, Query, Reservations, plan_one},
-    problem::Problem,
+    problem::{Problem, Relaxed},
+    single::Bounds,
+    terrain::{Terrain, Vertex},
     walk::Walk,
 };
+
+/// The problem in which only one agent, by its index, may go elsewhere than in a plan: how the
+/// others could, which takes time to know on a large floor, is not asked. That of all where
+/// an agent cannot be held to its way in the plan; `None` where that is none.
+pub(crate) fn problem_of_one(
+    instance: &Instance,
+    plan: &Plan,
+    (agent, condition): (usize, Option<&Condition>),
+    budget: &Budget,
+) -> Option<Problem> {
+    let terrain = Terrain::new(instance.grid());
+    let along = |name: &str| {
+        let cells = plan.path(name).iter().flatten();
+        let mut path: Vec<Vertex> = cells.filter_map(|&cell| terrain.vertex(cell)).collect();
+        path.dedup();
+        Bounds::Along(Rc::new(path))
+    };
+    let agents = instance.agents().iter().enumerate();
+    let bounds = agents.map(|(index, it)| {
+        if index == agent {
+            Bounds::Free
+        } else {
+            along(&it.name)
+        }
+    });
+    let held = (Relaxed::default(), bounds.collect());
+    let problem = Problem::under(instance, held, condition, budget)
+        .or_else(|_| Problem::relaxed(instance, Relaxed::default(), condition, budget));
+    problem.ok()
+}
 
 /// Of the earliest walks of an agent alone that arrive by a time, one that breaks the fewest
 /// rules against the walks of the others as they are; `None` where there is no such walk.

@@ -3,12 +3,12 @@
 
 use std::rc::Rc;
 
-use giveway_model::Question;
+use giveway_model::{Question, check::arrivals};
 
 use super::{
     ask::{names, walks},
     fitting::FittingQuestion,
-    lone_walk::lone_walk,
+    lone_walk::{lone_walk, problem_of_one},
 };
 use crate::{
     budget::Budget,
@@ -50,19 +50,26 @@ pub(crate) fn loss(case: &FittingQuestion, budget: &Rc<Budget>) -> Option<Loss> 
         | Question::Unsolvable
         | Question::Plan => return None,
     };
-    let problem = Problem::new(case.instance, budget).ok()?;
+    // The first of those that arrive last.
+    let arrivals = arrivals(case.instance, case.plan);
+    let last = (0..arrivals.len()).rev();
+    let last = last.max_by_key(|&agent| arrivals.get(agent).copied().flatten())?;
+    let problem = if is_of_last {
+        problem_of_one(case.instance, case.plan, (last, None), budget)?
+    } else {
+        Problem::new(case.instance, budget).ok()?
+    };
     let walks = walks(case.instance, &problem, case.plan)?;
     let alone = |(agent, walk): (usize, &Walk)| {
         let own = arrival(walk);
         let lone = lone_walk(&problem, &walks, (agent, own), budget).ok()??;
         Some((own, arrival(&lone), agent))
     };
-    // The first of those with the most.
-    let agents = walks.iter().enumerate().rev();
     let (own, alone, agent) = if is_of_last {
-        alone(agents.max_by_key(|(_, walk)| arrival(walk))?)
+        alone((last, walks.get(last)?))
     } else {
-        let all: Option<Vec<_>> = agents.map(alone).collect();
+        // The first of those with the most.
+        let all: Option<Vec<_>> = walks.iter().enumerate().rev().map(alone).collect();
         let lost = |it: &(u32, u32, usize)| it.0.saturating_sub(it.1);
         all?.into_iter().max_by_key(lost)
     }?;

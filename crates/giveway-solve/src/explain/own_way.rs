@@ -12,15 +12,11 @@ use giveway_model::{
 use super::{
     ask::{Ask, best, names, walks},
     fitting::FittingQuestion,
-    lone_walk::{lone_walk, replaced},
+    lone_walk::{lone_walk, problem_of_one, replaced},
     losses::loss,
     waits,
 };
-use crate::{
-    budget::Budget,
-    problem::{Problem, Relaxed},
-    walk::to_plan,
-};
+use crate::{budget::Budget, problem::Relaxed, walk::to_plan};
 
 /// The witness and its agent; `None` where the agent alone cannot do what is asked for, or the question has
 /// no agent.
@@ -109,8 +105,8 @@ fn among_others(
     budget: &Rc<Budget>,
 ) -> Option<Plan> {
     let instance = case.instance;
-    let problem = Problem::relaxed(instance, Relaxed::default(), Some(condition), budget).ok()?;
     let index = instance.agents().iter().position(|a| a.name == agent)?;
+    let problem = problem_of_one(instance, case.plan, (index, Some(condition)), budget)?;
     let mut walks = walks(instance, &problem, case.plan)?;
     let latest = arrivals(instance, case.plan).into_iter().flatten().max();
     let latest = latest

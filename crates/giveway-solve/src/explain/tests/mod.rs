@@ -13,6 +13,7 @@ mod how;
 mod late;
 mod layers;
 mod left;
+mod lone_walks;
 mod losses;
 mod own_plan;
 mod reach;
