@@ -93,6 +93,7 @@ fn whole_wait(lane: &Lane, step: &Step) -> (u32, u32) {
 
 /// Whether the agent waits for another to pass the cell that it goes to next. It is asked of the far
 /// end of the stretch that both use: nearer, it could drive in and back, and nothing would be said.
+/// Nothing is asked where the other one only comes back from there.
 fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
     let mut further = lane.steps.iter();
     let mut further = further
@@ -110,6 +111,11 @@ fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
         .max_by_key(|(leaves, _)| *leaves)?;
     let shared = further.filter(|s| !s.way.stays());
     let far = far_end(next, shared, &other);
+    // Where the other one was there before the wait, who goes first was decided then.
+    let (from, _) = whole_wait(lane, step);
+    if comes_first(&other, far.to) < Some(from) {
+        return None;
+    }
     let question = Question::Yield {
         agent: lane.name.clone(),
         to: other.name,
@@ -135,6 +141,17 @@ fn far_end<'a>(first: &'a Step, further: impl Iterator<Item = &'a Step>, other: 
         far = step;
     }
     far
+}
+
+/// When an agent is at a cell first.
+fn comes_first(other: &Lane, cell: Cell) -> Option<u32> {
+    let is_there = |s: &&Step| s.from == cell || s.to == cell;
+    let first = other.steps.iter().find(is_there)?;
+    Some(if first.from == cell {
+        first.begins
+    } else {
+        first.ends
+    })
 }
 
 /// When an agent leaves a cell last before another one comes there by a step.

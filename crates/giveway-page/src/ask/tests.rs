@@ -1,9 +1,13 @@
 //! The questions offered in the warehouse.
 
-use giveway_model::Cell;
+use std::rc::Rc;
+
+use giveway_model::{Agent, Cell, Plan, Scene, check::costs};
+use giveway_solve::{SolveAnswer, SolveRequest};
 
 use super::*;
-use crate::{Action, BoardAction, PlayAction, reduce, sample};
+use crate::audit::unproved;
+use crate::{Action, BoardAction, Draft, PlayAction, reduce, sample};
 
 fn texts(state: &State) -> Vec<(String, Vec<String>)> {
     let text = |offer: Offer| match offer.detail {
@@ -182,4 +186,74 @@ fn at_a_cell_the_robot_that_was_selected_is_asked_about_first() {
     let back = reduce(&there, select(Selection::Nothing));
     let again = reduce(&back, cell(3, 2));
     assert_eq!(texts(&again), texts(&alone), "it is forgotten");
+}
+
+/// A1 waits at (6, 0) from a time on, and then drives into the aisle from which A2 comes.
+fn behind_an_aisle(from: u32) -> State {
+    let agent = |name: &str, start, goal, waypoints| Agent {
+        name: name.to_owned(),
+        start,
+        goal: Some(goal),
+        waypoints,
+        battery: None,
+        heading: None,
+    };
+    let inmost = Cell::new(0, 0);
+    let scene = Scene {
+        map: [".......", "#####..", "#####.."]
+            .map(str::to_owned)
+            .to_vec(),
+        agents: vec![
+            agent("A1", Cell::new(6, 2), inmost, Vec::new()),
+            agent("A2", Cell::new(4, 0), Cell::new(5, 1), vec![inmost]),
+        ],
+        ..Scene::default()
+    };
+    let draft = Rc::new(Draft::new(scene.clone()).unwrap());
+    let row = |x: u32| Cell::new(x, 0);
+    let mut first = vec![Cell::new(6, 2); from as usize - 1];
+    first.push(Cell::new(6, 1));
+    first.extend((from..10).map(|_| row(6)));
+    first.extend((0..6).rev().map(row));
+    let second = (0..5).rev().chain(1..6).map(row).chain([Cell::new(5, 1)]);
+    let path = |cells: Vec<Cell>| cells.into_iter().map(Some).collect();
+    let paths = [("A1", path(first)), ("A2", path(second.collect()))];
+    let plan = Plan {
+        paths: paths.map(|(name, path)| (name.to_owned(), path)).into(),
+        ..Plan::default()
+    };
+    let request = Rc::new(SolveRequest {
+        scene,
+        ..SolveRequest::default()
+    });
+    let solved = SolveAnswer {
+        costs: costs(draft.instance().unwrap(), &plan),
+        plan: Some(plan),
+        ..unproved()
+    };
+    let mut state = State::new((*draft).clone());
+    state.document.draft = Rc::clone(&draft);
+    state.document.answer = Some(Rc::new(Answer::new(draft, request, solved)));
+    state.view.selection = Selection::Agent(0);
+    reduce(&state, Action::Play(PlayAction::Seek(8)))
+}
+
+#[test]
+fn who_goes_first_is_asked_where_that_was_decided_during_the_wait() {
+    let asks = |state: &State| texts(state).into_iter().flat_map(|(_, texts)| texts);
+    let gives_way = "Why does A1 give way to A2 at (0, 0)?";
+    let waits = |text: &String| text.starts_with("Why does A1 wait");
+    for (from, is_asked) in [(2, true), (4, true), (5, false), (8, false)] {
+        let state = behind_an_aisle(from);
+        assert!(
+            asks(&state).any(|text| waits(&text)),
+            "{from}: {:?}",
+            texts(&state)
+        );
+        assert_eq!(
+            asks(&state).any(|text| text == gives_way),
+            is_asked,
+            "{from}"
+        );
+    }
 }

@@ -199,7 +199,7 @@ fn answered(
             telling.tell(answer, part);
         });
     }
-    if case.is_open {
+    if case.open.is_some() {
         tell_best(&mut case, &about, &mut answer, &telling);
     }
     answer.stats = budget.stats();

@@ -149,10 +149,13 @@ pub struct ExplainAnswer {
     /// The costs of the other plan.
     pub costs: Option<Costs>,
     /// The difference of the other plan to the plan asked about, for each cost of the objective.
-    /// On a large floor a verdict may stand while `closest` is still to come: then they only fall,
-    /// and of `costly` the first that is not 0 is proved.
+    /// On a large floor a verdict may stand while `closest` is still to come: then they only fall.
     #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
+    /// Of `costly`: whether the first of these that is not 0 is only at most so. No other plan costs
+    /// as little as the plan asked about, but one may cost less than the one that is known.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub at_most: bool,
     /// How far the verdict reaches.
     #[serde(flatten)]
     pub reach: Reach,
@@ -215,6 +218,7 @@ impl ExplainAnswer {
             verdict: Verdict::Unknown,
             costs: None,
             deltas: BTreeMap::new(),
+            at_most: false,
             reach: Reach::default(),
             alternative: None,
             closest: false,

@@ -8,7 +8,7 @@ use giveway_model::{
     sorting::map,
 };
 
-use super::{ask::Ask, whole::WholePlan};
+use super::{ask::Ask, verdict::StillOpen, whole::WholePlan};
 use crate::{
     impose::{Unmeetable, ways},
     problem::Relaxed,
@@ -32,8 +32,8 @@ pub(crate) struct FittingQuestion<'a> {
     pub(crate) known: Option<(Plan, Costs)>,
     /// How far the verdict is proved, once it is.
     pub(crate) shown: Option<Proved>,
-    /// Whether the verdict stands, but not yet how much the best other plan costs.
-    pub(crate) is_open: bool,
+    /// Where the verdict stands, but not yet how much the best other plan costs.
+    pub(crate) open: Option<StillOpen>,
     /// The alternatives of the contrast, one of which must hold in the other plan; an error where no agent
     /// could do it.
     pub(crate) conditions: Result<Vec<Condition>, Unmeetable>,
@@ -63,7 +63,7 @@ impl<'a> FittingQuestion<'a> {
             latest: None,
             known: None,
             shown: None,
-            is_open: false,
+            open: None,
             conditions: condition.map_or(Ok(Vec::new()), |it| ways(it, instance)),
             whole,
             // The horizon always includes the plan at hand.

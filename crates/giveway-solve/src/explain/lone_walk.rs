@@ -6,8 +6,9 @@ use giveway_model::{Condition, Instance, Plan};
 
 use crate::{
     budget::{Budget, Stop},
+    impose::ImposeError,
     local::{OtherAgents, Query, Reservations, plan_one},
-    problem::{Problem, Relaxed},
+    problem::{Problem, ProblemError, Relaxed},
     single::Bounds,
     terrain::{Terrain, Vertex},
     walk::Walk,
@@ -38,9 +39,13 @@ pub(crate) fn problem_of_one(
         }
     });
     let held = (Relaxed::default(), bounds.collect());
-    let problem = Problem::under(instance, held, condition, budget)
-        .or_else(|_| Problem::relaxed(instance, Relaxed::default(), condition, budget));
-    problem.ok()
+    match Problem::under(instance, held, condition, budget) {
+        Ok(problem) => Some(problem),
+        Err(ImposeError::Problem(ProblemError::Alone(other, _))) if other != agent => {
+            Problem::relaxed(instance, Relaxed::default(), condition, budget).ok()
+        }
+        Err(_) => None,
+    }
 }
 
 /// Of the earliest walks of an agent alone that arrive by a time, one that breaks the fewest

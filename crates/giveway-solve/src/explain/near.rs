@@ -162,8 +162,15 @@ impl Variations<'_> {
         let each = self.plans.iter().map(|(_, variation)| variation);
         // Of the times at a place the first is told.
         let is_first = |it: &&Variation| it.cell.is_none_or(|cell| cells.insert(cell));
+        // However many places cost the same, none of them hides what else could be done.
+        let mut kinds = BTreeSet::new();
+        let mut places = 0;
+        let is_told = |it: &&Variation| {
+            places += 1;
+            kinds.insert((it.kind, it.other.clone())) || places <= MOST_TOLD
+        };
         let mut near = Near {
-            variations: each.filter(is_first).take(MOST_TOLD).cloned().collect(),
+            variations: each.filter(is_first).filter(is_told).cloned().collect(),
             at_most: self.plans.first().map(|(_, cheapest)| cheapest.costs),
             words: String::new(),
         };

@@ -140,7 +140,7 @@ pub(crate) fn word(case: &FittingQuestion, about: &str, answer: &mut ExplainAnsw
         objective: case.objective(),
         plan: case.plan,
         verdict: answer.verdict,
-        is_open: case.is_open,
+        is_open: case.open.is_some(),
         alternative: answer.alternative.as_ref(),
         within: answer.reach.within().map(|time| case.whole.time(time)),
         whole: case.whole,

@@ -13,15 +13,11 @@ use super::{
     how::{differences, how},
     near::near,
     reasons,
-    verdict::{Compared, compare, compare_all_costs},
+    verdict::{Compared, StillOpen, compare, compare_all_costs},
     whole::WholePlan,
     words,
 };
-use crate::{
-    Host, Progress,
-    budget::Budget,
-    search::{EarlierOptima, Proved},
-};
+use crate::{Host, Progress, budget::Budget, search::Proved};
 
 /// What the plan shows, and small variations of it, where these layers are asked for.
 pub(super) fn tell_nearby(case: &FittingQuestion, answer: &mut ExplainAnswer, telling: &Reporter) {
@@ -54,8 +50,8 @@ pub(super) fn tell_verdict(
     let near = answer.alternative.take().zip(answer.costs.take());
     let compared = compare(case, case.cheapest_known(near), telling.budget);
     let (is_proved, closest) = (compared.reach.is_some(), compared.closest);
-    case.is_open = compared.is_open;
-    if case.is_open && answer.pending.contains(&Part::Closest) {
+    case.open = compared.open;
+    if case.open.is_some() && answer.pending.contains(&Part::Closest) {
         // The best other plan comes last: what is pending stands in the order in which it comes.
         answer.pending.retain(|&part| part != Part::Closest);
         answer.pending.push(Part::Closest);
@@ -63,7 +59,7 @@ pub(super) fn tell_verdict(
     take(case, compared, answer);
     reasons::word(case, "", answer);
     telling.tell(answer, Part::Verdict);
-    if case.is_open {
+    if case.open.is_some() {
         return;
     }
     if let Some(is_closest) = closest {
@@ -83,15 +79,12 @@ pub(super) fn tell_best(
     telling: &Reporter,
 ) {
     let known = answer.alternative.clone().zip(answer.costs);
-    let least = answer.costs.zip(case.shown).and_then(|(costs, shown)| {
-        let first = case.objective().costs().first()?;
-        EarlierOptima::of(vec![costs.get(*first)], shown)
-    });
+    let least = case.open.and_then(StillOpen::optima);
     let compared = compare_all_costs(case, known, least.as_ref(), telling.budget);
     let covers = |reach: Proved| case.shown.is_none_or(|shown| reach.covers(shown));
     if compared.verdict == answer.verdict && compared.reach.is_some_and(covers) {
         take(case, compared, answer);
-        case.is_open = false;
+        case.open = None;
         reasons::word(case, about, answer);
         telling.tell_more(answer);
         tell_closest(case, about, answer, telling);
@@ -107,6 +100,8 @@ pub(super) fn tell_best(
 /// Takes a verdict over into the answer.
 fn take(case: &mut FittingQuestion, compared: Compared, answer: &mut ExplainAnswer) {
     answer.verdict = compared.verdict;
+    let is_open = |open: StillOpen| open.least.is_none();
+    answer.at_most = compared.verdict == Verdict::Costly && compared.open.is_some_and(is_open);
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
     answer.reach = compared.reach.into();

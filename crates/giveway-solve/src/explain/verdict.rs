@@ -18,6 +18,8 @@ use crate::{
     budget::Budget,
     search::{EarlierOptima, Proved},
 };
+#[cfg(test)]
+pub(crate) use sooner::by_closest;
 use sooner::{by_known_plan, by_proof_of_plan, sooner};
 
 /// How the best other plan compares.
@@ -29,10 +31,26 @@ pub(crate) struct Compared {
     pub(crate) deltas: BTreeMap<Cost, i64>,
     /// How far the verdict was proved; `None` where nothing was.
     pub(crate) reach: Option<Proved>,
-    /// Whether the verdict stands, but a cheaper other plan is still to be looked for.
-    pub(crate) is_open: bool,
+    /// Where the verdict stands, but a cheaper other plan is still to be looked for.
+    pub(crate) open: Option<StillOpen>,
     /// Where the other plan was looked for as a closest one: whether none is closer.
     pub(crate) closest: Option<bool>,
+}
+
+/// The best other plan is not known yet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StillOpen {
+    /// The least of the first cost in any other plan, and how far that is proved; `None` where a
+    /// plan with less than the known one may be.
+    pub(crate) least: Option<(u32, Proved)>,
+}
+
+impl StillOpen {
+    /// That optimum, for the search for the best other plan.
+    pub(crate) fn optima(self) -> Option<EarlierOptima> {
+        let (least, proved) = self.least?;
+        EarlierOptima::of(vec![least], proved)
+    }
 }
 
 /// Compares the plan with the best one that is as asked for. `known` is such a plan: it is told
@@ -96,7 +114,7 @@ pub(crate) fn compare_all_costs(
         other,
         deltas,
         reach,
-        is_open: false,
+        open: None,
         closest: None,
     }
 }

@@ -89,7 +89,7 @@ fn own_row(asking: &Asking, near: &Near, is_variation: Option<&Variation>) -> Op
     if cheapest.vector(objective) < own.vector(objective) {
         return None;
     }
-    let is_least = is_done(asking) && told.verdict != Verdict::Unknown;
+    let is_least = is_done(asking) && told.verdict != Verdict::Unknown && !told.at_most;
     let (difference, is_costlier) = difference(asking, &told.deltas, is_least);
     Some(CouldRow {
         index: None,

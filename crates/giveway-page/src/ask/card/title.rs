@@ -14,6 +14,7 @@ pub(super) fn title(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
     }
     match told.verdict {
         Verdict::Needless => charges_instead(asking).or_else(|| needless(told)),
+        Verdict::Costly if told.at_most => at_most(asking, told),
         Verdict::Costly => {
             let (cost, n) = first_difference(asking, told, |delta| delta > 0)?;
             Some(match cost {

@@ -125,6 +125,9 @@ fn claim(told: &ExplainAnswer) -> Option<String> {
         Verdict::Unknown => told
             .costs
             .map(|_| tr!("an answer" => "not proved").to_owned()),
+        Verdict::Costly if told.at_most && told.pending.contains(&Part::Closest) => {
+            Some(tr!("an answer" => "so far").to_owned())
+        }
         Verdict::Costly | Verdict::Necessary => match told.reach.within() {
             None if told.reach.is_complete() => Some(tr!("an answer" => "proved").to_owned()),
             None => None,
@@ -142,6 +145,7 @@ fn sentence(asking: &Asking, told: &ExplainAnswer) -> Option<String> {
     match told.verdict {
         // What is not proved is said no harder at the end than on the way.
         Verdict::Unknown => so_far(asking, told),
+        Verdict::Costly if told.at_most => so_far(asking, told),
         Verdict::Needless | Verdict::Improvable | Verdict::Costly => {
             asking.other.as_ref()?;
             saved(asking, told).or_else(|| who_is_late(told, clause.as_ref()))

@@ -41,6 +41,8 @@ class Explanation(Record):
     exhaustive: bool
     words: str
     stats: Stats
+    #: Of ``costly``: whether the first of the ``deltas`` that is not 0 is only at most so.
+    at_most: bool = optional(default=False)
     #: Of ``needless``: how the other plan does without it; ``free`` is there only alone.
     how: tuple[Literal["others", "other-way", "elsewhere", "free"], ...] = optional(default=())
     #: The robots that the other plan moves differently; who arrives later by most is the first.

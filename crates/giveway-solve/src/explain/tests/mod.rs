@@ -20,6 +20,7 @@ mod reach;
 mod repairs;
 mod rest;
 mod rule_waits;
+mod still_open;
 mod unsolvable;
 mod waits;
 mod words;

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use giveway_model::{Costs, Objective, Plan, check::costs};
 
 use super::super::fitting::FittingQuestion;
-use super::{Compared, asks_for_less_of_first_cost, cheaper, settled};
+use super::{Compared, StillOpen, asks_for_less_of_first_cost, cheaper, settled};
 use crate::{
     Limits, Status,
     budget::Budget,
@@ -38,7 +38,7 @@ pub(super) fn by_proof_of_plan(
         deltas: case.deltas(&same.1),
         other: Some(same.clone()),
         reach: Some(proved),
-        is_open: false,
+        open: None,
         closest: None,
     })
 }
@@ -64,7 +64,7 @@ pub(super) fn by_known_plan(
         deltas: case.deltas(costs),
         other: Some((plan.clone(), *costs)),
         reach: None,
-        is_open: is_better,
+        open: is_better.then_some(StillOpen { least: None }),
         closest: None,
     })
 }
@@ -156,7 +156,9 @@ fn by_first_cost(
         deltas: deltas.unwrap_or_default(),
         other,
         reach: Some(reach),
-        is_open: true,
+        open: Some(StillOpen {
+            least: Some((least.get(first), reach)),
+        }),
         closest: None,
     }))
 }
@@ -165,7 +167,7 @@ fn by_first_cost(
 /// One that is closest to it shows that it need not be so: few agents have to change for it, so it
 /// is found sooner than any best plan. Where there is none, each plan that is as asked for costs
 /// more: the `known` one, or else any.
-fn by_closest(
+pub(crate) fn by_closest(
     case: &FittingQuestion,
     known: Option<&(Plan, Costs)>,
     budget: &Rc<Budget>,
@@ -179,7 +181,7 @@ fn by_closest(
                 deltas: case.deltas(&costs),
                 other: Some((plan, costs)),
                 reach: Some(best),
-                is_open: false,
+                open: None,
                 closest: Some(is_closest),
             })
         }
@@ -196,7 +198,7 @@ fn by_closest(
                 deltas: case.deltas(&costs),
                 other: Some((plan, costs)),
                 reach: Some(proved.and(best)),
-                is_open: true,
+                open: Some(StillOpen { least: None }),
                 closest: None,
             })
         }
@@ -233,7 +235,7 @@ fn necessary(reach: Proved) -> Compared {
         other: None,
         deltas: BTreeMap::new(),
         reach: Some(reach),
-        is_open: false,
+        open: None,
         closest: None,
     }
 }

@@ -49,7 +49,7 @@ pub(crate) fn here_sentence(case: &FittingQuestion, here: &Here, loss: Option<&L
     }
     if !matches!(case.question, Question::Wait { .. }) {
         tr!(
-            "On its quickest way like that, {agent} would {what}.",
+            "On its quickest way to do so, {agent} would {what}.",
             agent,
             what
         )

@@ -83,6 +83,7 @@ fn told(state: &State) -> ExplainAnswer {
             (Cost::SumOfCosts, 0),
             (Cost::Charges, 1),
         ]),
+        at_most: false,
         reach: reach(None),
         alternative: Some(plan),
         closest: false,

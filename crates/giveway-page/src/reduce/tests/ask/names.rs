@@ -167,7 +167,7 @@ fn the_best_plan_is_among_what_it_could_do() {
 
 #[test]
 fn what_the_plan_shows_is_said_once() {
-    let here = "On its quickest way like that, A1 would meet A2 at (6, 1) at time 10.";
+    let here = "On its quickest way to do so, A1 would meet A2 at (6, 1) at time 10.";
     let said = |near: &str| {
         let card = card_of(|answer| {
             answer.question = Question::Makespan;
