@@ -80,6 +80,22 @@ impl<'a> FittingQuestion<'a> {
         self.conditions.iter().flatten()
     }
 
+    /// The agent, by its index, that is to charge in the other plan and has a battery.
+    pub(crate) fn charging(&self) -> Option<usize> {
+        let mut agents = self.conditions().filter_map(|condition| match condition {
+            Condition::Charge { agent, .. } => Some(agent),
+            Condition::Never { .. }
+            | Condition::Visit { .. }
+            | Condition::Move { .. }
+            | Condition::Before { .. }
+            | Condition::Below { .. }
+            | Condition::Keeps(_) => None,
+        });
+        let agent = agents.next()?;
+        let mut all = self.instance.agents().iter();
+        all.position(|it| it.name == *agent && it.battery.is_some())
+    }
+
     /// The costs of another plan, where the judge passes it and it is as asked for.
     pub(crate) fn accepts(&self, plan: &Plan) -> Option<Costs> {
         let costs = costs(self.instance, plan)?;

@@ -213,6 +213,7 @@ fn help_case(
         plan: Some(case.plan),
         asked: &asked,
         arriving: case.question.arriving(),
+        charging: case.charging(),
         reach,
         cores: core.map_or_else(Vec::new, |core| {
             core.sets().map(<[Group]>::to_vec).collect()

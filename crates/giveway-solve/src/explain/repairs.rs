@@ -3,13 +3,12 @@
 //! An edit can help only if it weakens a fact of every set of facts that excludes a
 //! plan; so single edits come from the first set. A pair must weaken every set, too: its
 //! first edit comes from the first set, its second from a set that excludes a plan after
-//! the first edit (`pairs`; a tree of hitting sets, Reiter 1987). One fact is an
-//! exception: a slow zone that becomes normal is no mere relaxation (see
-//! `group_mus.rs`), so where a set holds without the slow zones, edits outside of it may
-//! still help.
+//! the first edit (`pairs`; a tree of hitting sets, Reiter 1987). Two facts are
+//! exceptions: a slow zone that becomes normal is no mere relaxation (see `group_mus.rs`),
+//! and an agent that is to charge cannot without its battery. Where a set holds without
+//! such a fact, edits outside of it may still help.
 //!
-//! Where many agents are there and no small set is known, edits are guessed: those of facts about
-//! the agents that the answer names.
+//! Of many agents without a small set, edits are guessed: those of facts about agents in the answer.
 
 mod candidate;
 mod least;
@@ -55,7 +54,7 @@ pub(crate) struct EditedPlan {
     pub(crate) proved: bool,
 }
 
-/// A plan of an edited instance that may not be the best.
+/// One that may not be the best.
 fn unproved(variant: &Variant, plan: Plan) -> Option<EditedPlan> {
     let costs = costs(&variant.instance, &plan)?;
     Some(EditedPlan {
@@ -77,6 +76,8 @@ pub(crate) struct Unsolved<'a> {
     pub(crate) asked: &'a [usize],
     /// The agent whose arrival is asked about.
     pub(crate) arriving: Option<&'a str>,
+    /// The agent that is to charge.
+    pub(crate) charging: Option<usize>,
     /// How far it is proved that there is none.
     pub(crate) reach: Proved,
     /// Sets of facts that exclude a plan, one at least; none where no set is known.
@@ -100,18 +101,21 @@ pub(crate) struct Repairs {
 /// Finds repairs of one and of two edits.
 pub(crate) fn repairs(broken: &Unsolved, solver: &mut dyn Solver) -> Repairs {
     let known = broken.cores.first();
-    let first = known.unwrap_or(&broken.suspects);
+    let mut first = known.unwrap_or(&broken.suspects).clone();
     let is_slow = first.contains(&Group::Slow) || !has_slow_edge(broken.instance.grid());
+    let mut battery = broken.charging.map(Group::Battery);
+    battery.take_if(|it| first.contains(it));
+    first.extend(battery);
     let mut search = RepairSearch {
         broken,
         solver,
-        exhaustive: known.is_some() && is_slow,
+        exhaustive: known.is_some() && is_slow && battery.is_none(),
         tried: BTreeMap::new(),
         found: Vec::new(),
     };
-    let mut singles = search.candidates(broken.instance, first);
+    let mut singles = search.candidates(broken.instance, &first);
     if known.is_none() {
-        // Any cell may be one for a charger: too many for a guess.
+        // A charger may be anywhere: too many for a guess.
         singles.retain(|it| !matches!(it, Candidate::Edit(Edit::AddCharger { .. })));
     }
     for candidate in &singles {
@@ -175,7 +179,8 @@ impl RepairSearch<'_> {
         if edits.iter().any(|edit| is_as_good_as_off(edit, instance)) {
             return outcome; // its rule is also switched off
         }
-        let Some(mut best) = self.best(&edited(instance, &edits, within, self.broken.whole)) else {
+        let whole = self.broken.whole;
+        let Some(mut best) = self.best(&edited(instance, &edits, within, whole)) else {
             self.exhaustive = false;
             return outcome;
         };
@@ -183,10 +188,8 @@ impl RepairSearch<'_> {
             let (least, shown) = self.least_deadline(&edits, within, best.costs.makespan);
             is_least &= shown;
             edits.push(Edit::Deadline { within: least });
-            let Some(sooner) =
-                self.solver
-                    .best(&edited(instance, &edits, Some(within), self.broken.whole))
-            else {
+            let sooner = edited(instance, &edits, Some(within), whole);
+            let Some(sooner) = self.solver.best(&sooner) else {
                 self.exhaustive = false;
                 return outcome;
             };
@@ -230,8 +233,9 @@ impl RepairSearch<'_> {
         }
         let is_proved = best.as_ref().is_some_and(|best| best.proved);
         let rest = self.rest(variant).filter(|_| !is_proved);
-        let all = best.into_iter().chain(rest);
-        all.min_by_key(|it| it.costs.vector(self.broken.objective))
+        best.into_iter()
+            .chain(rest)
+            .min_by_key(|it| self.vector(&it.costs))
     }
 
     /// The plan that is asked about without the agents that are left out, where it is as asked for.
@@ -262,9 +266,7 @@ impl RepairSearch<'_> {
             }
         }
     }
-}
 
-impl RepairSearch<'_> {
     /// Looks for a plan of an edited instance: long where a set of facts is known, and briefly where
     /// edits are guessed.
     fn search(&mut self, variant: &Variant) -> Tried {

@@ -71,6 +71,7 @@ pub(crate) fn of_no_plan(
             plan: None,
             asked: &[],
             arriving: None,
+            charging: None,
             reach,
             cores: match &core {
                 Some(core) => core.sets().map(<[Group]>::to_vec).collect(),

@@ -1,15 +1,17 @@
 //! What would help, by a solver that says as little as is told to it.
 
-use giveway_model::{Cell, Costs, Plan};
+use giveway_model::{Cell, Costs, Plan, question::from_words};
 
 use crate::{
+    Limits, Request, Response, SilentHost,
     explain::{
-        Edit,
+        Edit, ExplainRequest, Verdict,
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
         repairs::{EditedPlan, Solver, Unsolved, repairs},
         whole::WholePlan,
     },
+    serve,
     tests::instance,
 };
 
@@ -84,6 +86,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             plan: None,
             asked: &[],
             arriving: None,
+            charging: None,
             reach: crate::search::Proved::Within(20),
             cores: vec![vec![Group::Obstacle(Cell::new(1, 0))]],
             suspects: Vec::new(),
@@ -106,6 +109,7 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
         plan: None,
         asked: &[],
         arriving: None,
+        charging: None,
         reach: crate::search::Proved::Within(4),
         cores: Vec::new(),
         suspects: vec![Group::Task(0), Group::Battery(0)],
@@ -144,6 +148,7 @@ fn what_is_left_of_the_plan_is_no_worse() {
             plan: Some(&plan),
             asked: &[],
             arriving: None,
+            charging: None,
             reach: crate::search::Proved::Within(4),
             cores: Vec::new(),
             suspects: vec![Group::Task(0)],
@@ -160,4 +165,35 @@ fn what_is_left_of_the_plan_is_no_worse() {
             "{proves} {accepts}"
         );
     }
+}
+
+/// Without its battery an agent cannot charge, so a battery that is too small is in no set of
+/// facts: it is tried, and it is not said that these are all repairs.
+#[test]
+fn more_battery_helps_an_agent_that_is_to_charge() {
+    let scene = r#"{ "giveway": 1, "map": ["....+"], "agents": [{ "name": "A1", "start": [0, 0],
+        "goal": [1, 0], "battery": { "capacity": 4, "initial": 2 } }] }"#;
+    let plan = r#"{ "giveway": 1, "paths": { "A1": [[0, 0], [1, 0]] } }"#;
+    let (instance, plan) = super::read(scene, plan);
+    let request = Request::Explain(ExplainRequest {
+        scene: instance.to_scene(),
+        plan: Some(plan),
+        question: from_words(&["no-charge", "A1", "--at", "4,0"]).unwrap(),
+        changes: None,
+        at: None,
+        objective: None,
+        within: None,
+        proved: None,
+        known: None,
+        layers: Vec::new(),
+        limits: Limits::default(),
+    });
+    let Response::Explained(answer) = serve(&request, &SilentHost) else {
+        panic!("it is answered");
+    };
+    assert_eq!(answer.verdict, Verdict::Necessary);
+    let first = answer.repairs.iter().map(|repair| &repair.edits[..]);
+    let gives = |edits: &[Edit]| matches!(edits, [Edit::Battery { initial: 4, .. }]);
+    assert!(first.into_iter().any(gives), "{:?}", answer.repairs);
+    assert!(!answer.exhaustive);
 }
