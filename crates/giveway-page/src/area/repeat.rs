@@ -71,6 +71,17 @@ impl Repeat {
         }
     }
 
+    /// The same copies of a frame in another direction: what was left between two of them stays.
+    pub(crate) fn turned(self, to: Direction, [x0, y0, x1, y1]: [u32; 4]) -> Self {
+        let side = |to: Direction| match to {
+            Direction::Right | Direction::Left => x1 - x0 + 1,
+            Direction::Down | Direction::Up => y1 - y0 + 1,
+        };
+        let left = self.step.checked_sub(side(self.to));
+        let step = left.map_or(self.step, |left| (side(to) + left).min(FARTHEST));
+        Self { step, to, ..self }
+    }
+
     /// How far each copy stands from the area: cells right and down.
     pub(crate) fn places(self) -> impl Iterator<Item = (i32, i32)> {
         let (right, down) = self.to.step();

@@ -1,5 +1,7 @@
 //! What the board and the inspector show of an area.
 
+use std::collections::BTreeSet;
+
 use giveway_model::words::Sentence;
 use giveway_model::{Cell, Ground, tr};
 
@@ -90,11 +92,10 @@ pub fn shown(state: &State) -> Option<Shown> {
         Doing::Repeats(repeat) => {
             let clip = Clip::of(&area.cells, draft);
             let copies = crate::reduce::copies(state, area, *repeat);
-            let count = copies.iter().filter(|copy| copy.is_ok()).count();
             let class = |is_ok| if is_ok { "comes" } else { "refused" };
             let places = repeat.places().zip(&copies);
             let ghosts = places.map(|(by, copy)| ghost(class(copy.is_ok()), by, &clip));
-            (ghosts.collect(), Some(more(&clip, count)))
+            (ghosts.collect(), Some(more(state, area, *repeat, &copies)))
         }
     };
     Some(Shown {
@@ -220,7 +221,6 @@ fn told(state: &State, area: &Area) -> (Option<String>, bool) {
     };
     let copies = crate::reduce::copies(state, area, *repeat);
     let count = copies.iter().filter(|copy| copy.is_ok()).count();
-    let clip = Clip::of(&area.cells, &state.document.draft);
     match copies.iter().find_map(|copy| copy.as_ref().err()) {
         Some(why) => {
             let left = copies.len() - count;
@@ -233,21 +233,34 @@ fn told(state: &State, area: &Area) -> (Option<String>, bool) {
         None => (
             Some(tr!(
                 "Repeated: {more}, nothing in their way",
-                more = more(&clip, count)
+                more = more(state, area, *repeat, &copies)
             )),
             false,
         ),
     }
 }
 
-/// How much so many copies are.
-fn more(clip: &Clip, copies: usize) -> String {
-    let obstacles = clip
-        .ground
-        .iter()
-        .filter(|(_, ground)| *ground == Ground::Obstacle);
-    match (obstacles.count() * copies, clip.agents.len() * copies) {
-        (0, 0) => tr!("{n} cell more" | "{n} cells more" % clip.cells.len() * copies),
+/// How much the copies are that can be made; an obstacle where one is already is none more.
+fn more(state: &State, area: &Area, repeat: Repeat, copies: &[Result<Edit, Sentence>]) -> String {
+    let draft = &state.document.draft;
+    let clip = Clip::of(&area.cells, draft);
+    let made = repeat.places().zip(copies).filter(|(_, copy)| copy.is_ok());
+    let places: Vec<(i32, i32)> = made.map(|(by, _)| by).collect();
+    let obstacles = clip.ground.iter();
+    let obstacles = obstacles.filter(|(_, ground)| *ground == Ground::Obstacle);
+    let mut new = BTreeSet::new();
+    for (cell, _) in obstacles {
+        new.extend(places.iter().filter_map(|&(right, down)| {
+            let (x, y) = (
+                cell.x.checked_add_signed(right)?,
+                cell.y.checked_add_signed(down)?,
+            );
+            let ground = draft.grid().ground(Cell::new(x, y))?;
+            (ground != Ground::Obstacle).then_some((x, y))
+        }));
+    }
+    match (new.len(), clip.agents.len() * places.len()) {
+        (0, 0) => tr!("{n} cell more" | "{n} cells more" % clip.cells.len() * places.len()),
         (0, robots) => tr!("{n} robot more" | "{n} robots more" % robots),
         (obstacles, _) => tr!("{n} obstacle more" | "{n} obstacles more" % obstacles),
     }

@@ -198,7 +198,8 @@ impl Sketch {
         let (Some(old), Some(new)) = (self.ground(from), self.ground(to)) else {
             return Ok(());
         };
-        if from == to || !paint.is_on(old) {
+        // Onto another one it does not go: it would be lost.
+        if !paint.is_on(old) || paint.is_on(new) {
             return Ok(());
         }
         if new == Ground::Obstacle && paint != Paint::Obstacle {

@@ -2,7 +2,7 @@
 
 use super::rules::{fresh, solved};
 use crate::reduce::tests::after;
-use crate::{Action, Edit};
+use crate::{Action, Edit, State};
 
 #[test]
 fn other_units_keep_the_plan_and_undo_takes_them_back() {
@@ -21,6 +21,12 @@ fn other_units_keep_the_plan_and_undo_takes_them_back() {
         "a claim has no units"
     );
     assert_eq!(state.document.draft.scene().units, Some(units));
+    let grid = state.document.draft.grid();
+    let side = |cells: u32| giveway_model::words::length(units, cells);
+    let sides = format!("{} x {}", side(grid.width()), side(grid.height()));
+    let contents = |state: &State| crate::inspect::whole(state).contents;
+    assert!(contents(&state).ends_with(&sides), "{}", contents(&state));
+    assert!(!contents(&before).contains(" m"), "no metres without units");
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.document, before.document);
     assert!(

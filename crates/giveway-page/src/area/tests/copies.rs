@@ -93,6 +93,14 @@ fn repeated_it_leaves_out_the_copy_that_has_no_room() {
         told.starts_with("2 copies are left out: A1 starts at (4, 7)"),
         "{told}"
     );
+    // To the right the aisle stays as wide, and what would lie on an obstacle is none more.
+    let right = act(&state, &[AreaAction::To(Direction::Right)]);
+    let step = |state: &State| card(state).unwrap().repeat.unwrap().step;
+    assert_eq!(step(&right), 7);
+    let close = act(&right, &[AreaAction::Copies(1), AreaAction::Step(1)]);
+    assert_eq!(shown(&close).unwrap().pill.unwrap(), "2 obstacles more");
+    let down = act(&right, &[AreaAction::To(Direction::Down)]);
+    assert_eq!(step(&down), 3);
     let made = act(&state, &[AreaAction::Make]);
     let rows: Vec<usize> = (0..12).filter(|&y| map(&made)[y].contains('#')).collect();
     assert_eq!(rows, [0, 1, 3, 4, 9, 10]);

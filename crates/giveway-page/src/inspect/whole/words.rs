@@ -1,6 +1,6 @@
 //! The scene and its plan in words: what it contains, what is claimed.
 
-use giveway_model::{Ground, tr};
+use giveway_model::{Ground, tr, words::length};
 use giveway_solve::Status;
 
 use crate::{Answer, Draft};
@@ -53,5 +53,10 @@ pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> Strin
     if obstacles > 0 {
         parts.push(tr!("{n} obstacle" | "{n} obstacles" % obstacles));
     }
+    // A person who wants metres checks the floor by its sides.
+    parts.extend(draft.scene().units.map(|units| {
+        let (width, height) = (length(units, grid.width()), length(units, grid.height()));
+        tr!("a size" => "{width} x {height}", width, height)
+    }));
     parts.join(", ")
 }

@@ -78,7 +78,11 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
                 repeat.step = step.clamp(1, crate::area::FARTHEST);
             });
         }
-        AreaAction::To(to) => repeat(state, |repeat| repeat.to = to),
+        AreaAction::To(to) => {
+            if let Some(frame) = state.view.area.as_ref().map(|area| frame(&area.cells)) {
+                repeat(state, |repeat| *repeat = repeat.turned(to, frame));
+            }
+        }
         AreaAction::Erase => {
             if let Some(area) = standing(state) {
                 make(state, &[Edit::Area(AreaEdit::Erase(area.cells))]);

@@ -93,6 +93,11 @@ fn select_moves_what_is_on_a_cell() {
         fresh().document.draft,
         "not onto an agent"
     );
+    assert_eq!(
+        moved((1, 1), (2, 1)).document.draft,
+        fresh().document.draft,
+        "not onto another obstacle, where it would be lost"
+    );
     let state = moved((1, 1), (0, 1));
     assert_eq!(state.view.selection, Selection::Cell(Cell::new(0, 1)));
     assert_eq!(
