@@ -158,9 +158,9 @@ impl Document {
         }
     }
 
-    /// The same, where more is proved of the answer than before. What is about that answer stays
-    /// about it.
-    pub(crate) fn reproved(mut self, solved: SolveAnswer) -> Self {
+    /// The document with more proved of its answer. Everything that was about the answer is about
+    /// the new one.
+    pub(crate) fn with_more_proved(mut self, solved: SolveAnswer) -> Self {
         let Some(before) = self.answer.take() else {
             return self;
         };

@@ -537,7 +537,7 @@ export interface ExplainAnswer {
   /** Of the other plan, as the alternative. */
   costs: Costs | null;
   deltas: Partial<Record<Cost, number>>;
-  /** Of `costly`: whether the first of these that is not 0 is only at most so. */
+  /** Of `costly`: whether the first of these that is not 0 is only an upper bound. */
   at_most?: boolean;
   within: number | null;
   complete: boolean;

@@ -59,7 +59,7 @@ pub(super) fn show(column: &Column, send: &Callback<Action>) -> Html {
                         { turn(true, tr!("Who costs others")) }
                     </div>
                     if column.is_turned { { causes(column) } } else { { losses(column, send) } }
-                    <p class="remark">{ tr!("Because of whom: those in the way that a robot would take if it were alone. They share its delay evenly, and need not be those for which it waits.") }</p>
+                    <p class="remark">{ tr!("“Because of” names the robots and rules on the way that a robot would take if it were alone. They share its delay evenly. It may wait for other robots.") }</p>
                 </section>
                 <section>
                     <h3>{ tr!("Where most is lost") }</h3>

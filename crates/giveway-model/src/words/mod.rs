@@ -193,7 +193,7 @@ pub fn by(cost: Cost, delta: i64) -> String {
     if delta == 0 {
         return tr!("a cost is the" => "same").to_owned();
     }
-    let by = format!("{delta:+}").replace('-', "\u{2212}");
+    let by = signed(delta);
     let n = delta.unsigned_abs();
     match cost {
         Cost::Makespan => tr!("a difference" => "{by} step" | "{by} steps" % n, by),
@@ -203,6 +203,25 @@ pub fn by(cost: Cost, delta: i64) -> String {
         Cost::Waits => tr!("a difference" => "{by} wait" | "{by} waits" % n, by),
         Cost::Penalty => tr!("a difference" => "{by} in the penalty", by),
     }
+}
+
+/// The same with the name of the cost also where steps alone could be those of one robot:
+/// `+2 in the makespan`.
+///
+/// ```
+/// use giveway_model::{Cost, words::by_named};
+/// assert_eq!(by_named(Cost::Makespan, 2), "+2 in the makespan");
+/// assert_eq!(by_named(Cost::Charges, 0), "same");
+/// ```
+pub fn by_named(cost: Cost, delta: i64) -> String {
+    if cost == Cost::Makespan && delta != 0 {
+        return tr!("a difference" => "{by} in the makespan", by = signed(delta));
+    }
+    by(cost, delta)
+}
+
+fn signed(delta: i64) -> String {
+    format!("{delta:+}").replace('-', "\u{2212}")
 }
 
 #[cfg(test)]

@@ -71,14 +71,14 @@ impl Repeat {
         }
     }
 
-    /// The same copies of a frame in another direction: what was left between two of them stays.
+    /// The copies of a frame in another direction, with the same gap between two of them.
     pub(crate) fn turned(self, to: Direction, [x0, y0, x1, y1]: [u32; 4]) -> Self {
         let side = |to: Direction| match to {
             Direction::Right | Direction::Left => x1 - x0 + 1,
             Direction::Down | Direction::Up => y1 - y0 + 1,
         };
-        let left = self.step.checked_sub(side(self.to));
-        let step = left.map_or(self.step, |left| (side(to) + left).min(FARTHEST));
+        let gap = self.step.checked_sub(side(self.to));
+        let step = gap.map_or(self.step, |gap| (side(to) + gap).min(FARTHEST));
         Self { step, to, ..self }
     }
 

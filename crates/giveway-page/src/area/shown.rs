@@ -240,7 +240,7 @@ fn told(state: &State, area: &Area) -> (Option<String>, bool) {
     }
 }
 
-/// How much the copies are that can be made; an obstacle where one is already is none more.
+/// What the copies that can be made add. An obstacle on an obstacle adds nothing.
 fn more(state: &State, area: &Area, repeat: Repeat, copies: &[Result<Edit, Sentence>]) -> String {
     let draft = &state.document.draft;
     let clip = Clip::of(&area.cells, draft);

@@ -93,7 +93,7 @@ fn whole_wait(lane: &Lane, step: &Step) -> (u32, u32) {
 
 /// Whether the agent waits for another to pass the cell that it goes to next. It is asked of the far
 /// end of the stretch that both use: nearer, it could drive in and back, and nothing would be said.
-/// Nothing is asked where the other one only comes back from there.
+/// Not offered where the other agent was there before the wait began: who goes first was decided then.
 fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
     let mut further = lane.steps.iter();
     let mut further = further
@@ -111,7 +111,6 @@ fn gives_way(answer: &Answer, lane: &Lane, step: &Step) -> Option<Offer> {
         .max_by_key(|(leaves, _)| *leaves)?;
     let shared = further.filter(|s| !s.way.stays());
     let far = far_end(next, shared, &other);
-    // Where the other one was there before the wait, who goes first was decided then.
     let (from, _) = whole_wait(lane, step);
     if comes_first(&other, far.to) < Some(from) {
         return None;

@@ -198,7 +198,7 @@ impl Sketch {
         let (Some(old), Some(new)) = (self.ground(from), self.ground(to)) else {
             return Ok(());
         };
-        // Onto another one it does not go: it would be lost.
+        // Moving it onto another one would lose it.
         if !paint.is_on(old) || paint.is_on(new) {
             return Ok(());
         }

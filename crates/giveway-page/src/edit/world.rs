@@ -21,7 +21,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
     let one = match edit {
         Edit::Paint(paint, cell, on) => return Ok(painted(*paint, *cell, *on, ground(*cell))),
         Edit::Erase(cell) => return Ok(erased(*cell, ground(*cell))),
-        // Onto another one it does not go: it would be lost.
+        // Moving it onto another one would lose it.
         Edit::MovePaint(paint, _, to) if paint.is_on(ground(*to)) => return Ok(Vec::new()),
         Edit::MovePaint(Paint::Obstacle, from, to) => What::MoveObstacle {
             from: *from,

@@ -105,7 +105,7 @@ impl Ledger {
         })
     }
 
-    /// What is known of the plan, where the proof of a ledger says more of the sum of costs than
+    /// The answer with a greater bound of the sum of costs, where the ledger proves more of it than
     /// the search for the plan did.
     pub(crate) fn raised(&self, told: &DelaysAnswer) -> Option<SolveAnswer> {
         let mut solved = Some(&self.about)

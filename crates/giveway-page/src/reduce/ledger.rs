@@ -97,7 +97,7 @@ fn put(state: &mut State, ledger: Ledger) {
     amend(state, document);
 }
 
-/// More became known, of the plan itself, too.
+/// More became known of the ledger, and perhaps of the plan.
 pub(super) fn learn(state: &mut State, told: DelaysAnswer) {
     if let Some(known) = state.document.ledger() {
         let raised = known.raised(&told);
@@ -105,7 +105,7 @@ pub(super) fn learn(state: &mut State, told: DelaysAnswer) {
         known.learn(told);
         put(state, known);
         if let Some(solved) = raised {
-            amend(state, state.document.clone().reproved(solved));
+            amend(state, state.document.clone().with_more_proved(solved));
         }
     }
 }

@@ -6,7 +6,7 @@ mod status;
 mod steering;
 
 pub use costs::{objective, title, values};
-pub use giveway_model::words::by;
+pub use giveway_model::words::{by, by_named};
 pub use giveway_model::words::{count, grouped, name, value};
 pub use giveway_model::words::{distance, duration, measured, timed};
 pub use status::{Badge, Standing, later, standing};

@@ -152,8 +152,8 @@ pub struct ExplainAnswer {
     /// On a large floor a verdict may stand while `closest` is still to come: then they only fall.
     #[borsh(deserialize_with = "read_map")]
     pub deltas: BTreeMap<Cost, i64>,
-    /// Of `costly`: whether the first of these that is not 0 is only at most so. No other plan costs
-    /// as little as the plan asked about, but one may cost less than the one that is known.
+    /// Of `costly`: whether the first delta that is not 0 is only an upper bound. Every other plan
+    /// costs more than the plan asked about, but one may cost less than the one that is known.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub at_most: bool,
     /// How far the verdict reaches.

@@ -14,9 +14,9 @@ use crate::{
     walk::Walk,
 };
 
-/// The problem in which only one agent, by its index, may go elsewhere than in a plan: how the
-/// others could, which takes time to know on a large floor, is not asked. That of all where
-/// an agent cannot be held to its way in the plan; `None` where that is none.
+/// The problem with all agents but one, by its index, bound to their paths in a plan. Their exact
+/// tables, which take most of the time on a large floor, are then as small as the paths. Where an
+/// agent cannot be bound, no agent is. `None` where the agent itself has no walk.
 pub(crate) fn problem_of_one(
     instance: &Instance,
     plan: &Plan,

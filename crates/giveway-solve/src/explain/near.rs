@@ -26,7 +26,7 @@ use crate::{Limits, budget::Budget};
 const WORK: u64 = 1_000_000;
 /// Alternatives of a contrast that are looked at.
 const MOST_WAYS: usize = 3;
-/// Variations that are told.
+/// Variations that are told; beyond them the first of each other kind.
 const MOST_TOLD: usize = 24;
 
 /// Called each time more is known, with the cheapest plan where it became cheaper.
@@ -162,7 +162,7 @@ impl Variations<'_> {
         let each = self.plans.iter().map(|(_, variation)| variation);
         // Of the times at a place the first is told.
         let is_first = |it: &&Variation| it.cell.is_none_or(|cell| cells.insert(cell));
-        // However many places cost the same, none of them hides what else could be done.
+        // Places that cost the same must not crowd out the other kinds.
         let mut kinds = BTreeSet::new();
         let mut places = 0;
         let is_told = |it: &&Variation| {

@@ -100,8 +100,8 @@ pub(super) fn tell_best(
 /// Takes a verdict over into the answer.
 fn take(case: &mut FittingQuestion, compared: Compared, answer: &mut ExplainAnswer) {
     answer.verdict = compared.verdict;
-    let is_open = |open: StillOpen| open.least.is_none();
-    answer.at_most = compared.verdict == Verdict::Costly && compared.open.is_some_and(is_open);
+    let is_bound = |open: StillOpen| open.least.is_none();
+    answer.at_most = compared.verdict == Verdict::Costly && compared.open.is_some_and(is_bound);
     answer.deltas = compared.deltas;
     case.shown = compared.reach;
     answer.reach = compared.reach.into();

@@ -1,7 +1,7 @@
 //! Questions on warehouse floors of a real size: when each layer of the answer is there, and how
 //! large its reason is.
 
-mod kept;
+mod export;
 mod scenes;
 mod tell;
 
@@ -152,7 +152,7 @@ pub(crate) fn table(
             all.push(asked_about(format!("floor {seed}"), instance, seconds)?);
         }
     }
-    kept::write(&all)?;
+    export::write(&all)?;
     Ok(tell::tables(&all, seconds))
 }
 

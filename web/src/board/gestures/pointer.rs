@@ -78,7 +78,7 @@ impl Surface {
             } else if self.paints() {
                 self.begin_stroke(from, event)
             } else if self.holds(from, event) {
-                // To select it is work enough for this frame: the next event moves it.
+                // Selecting it takes most of a frame, so the next event moves it.
                 hand.act = self.begin_stroke(from, event);
                 return;
             } else if self.agent_at(from, time).is_none() && !self.is_fit {

@@ -93,7 +93,7 @@ fn repeated_it_leaves_out_the_copy_that_has_no_room() {
         told.starts_with("2 copies are left out: A1 starts at (4, 7)"),
         "{told}"
     );
-    // To the right the aisle stays as wide, and what would lie on an obstacle is none more.
+    // To the right the aisle stays as wide. An obstacle on an obstacle adds nothing.
     let right = act(&state, &[AreaAction::To(Direction::Right)]);
     let step = |state: &State| card(state).unwrap().repeat.unwrap().step;
     assert_eq!(step(&right), 7);

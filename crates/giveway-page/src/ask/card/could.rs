@@ -239,21 +239,10 @@ fn difference(asking: &Asking, deltas: &BTreeMap<Cost, i64>, is_least: bool) -> 
     let delta = |cost: &Cost| deltas.get(cost).copied().filter(|&delta| delta != 0);
     match costs.copied().find_map(|cost| Some((cost, delta(&cost)?))) {
         None => (tr!("a cost is the" => "same").to_owned(), false),
-        Some((cost, more)) if more > 0 && is_least => (by(cost, more), true),
-        Some((cost, more)) if more > 0 => (tr!("at most {by}", by = by(cost, more)), true),
-        Some((cost, less)) => (by(cost, less), false),
-    }
-}
-
-/// The same with the name of every cost: beside who arrives how much later, steps alone are nobody's.
-fn by(cost: Cost, delta: i64) -> String {
-    match cost {
-        Cost::Makespan => {
-            let by = format!("{delta:+}").replace('-', "\u{2212}");
-            tr!("a difference" => "{by} in the makespan", by)
+        Some((cost, more)) if more > 0 && is_least => (words::by_named(cost, more), true),
+        Some((cost, more)) if more > 0 => {
+            (tr!("at most {by}", by = words::by_named(cost, more)), true)
         }
-        Cost::SumOfCosts | Cost::Charges | Cost::Moves | Cost::Waits | Cost::Penalty => {
-            words::by(cost, delta)
-        }
+        Some((cost, less)) => (words::by_named(cost, less), false),
     }
 }

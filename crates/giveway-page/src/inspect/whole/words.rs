@@ -53,7 +53,7 @@ pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> Strin
     if obstacles > 0 {
         parts.push(tr!("{n} obstacle" | "{n} obstacles" % obstacles));
     }
-    // A person who wants metres checks the floor by its sides.
+    // The sides of the floor in metres.
     parts.extend(draft.scene().units.map(|units| {
         let (width, height) = (length(units, grid.width()), length(units, grid.height()));
         tr!("a size" => "{width} x {height}", width, height)

@@ -41,7 +41,7 @@ class Explanation(Record):
     exhaustive: bool
     words: str
     stats: Stats
-    #: Of ``costly``: whether the first of the ``deltas`` that is not 0 is only at most so.
+    #: Of ``costly``: whether the first of the ``deltas`` that is not 0 is only an upper bound.
     at_most: bool = optional(default=False)
     #: Of ``needless``: how the other plan does without it; ``free`` is there only alone.
     how: tuple[Literal["others", "other-way", "elsewhere", "free"], ...] = optional(default=())

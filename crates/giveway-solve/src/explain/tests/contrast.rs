@@ -38,7 +38,7 @@ fn asked(words: &str) -> Question {
     from_words(&words).unwrap()
 }
 
-fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
+pub(super) fn explain(instance: &Instance, plan: &Plan, words: &str) -> ExplainAnswer {
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),
         plan: Some(plan.clone()),

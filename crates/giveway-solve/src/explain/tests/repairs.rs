@@ -1,17 +1,16 @@
 //! What would help, by a solver that says as little as is told to it.
 
-use giveway_model::{Cell, Costs, Plan, question::from_words};
+use giveway_model::{Cell, Costs, Plan};
 
+use super::{contrast::explain, read};
 use crate::{
-    Limits, Request, Response, SilentHost,
     explain::{
-        Edit, ExplainRequest, Verdict,
+        Edit, Verdict,
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
         repairs::{EditedPlan, Solver, Unsolved, repairs},
         whole::WholePlan,
     },
-    serve,
     tests::instance,
 };
 
@@ -174,23 +173,8 @@ fn more_battery_helps_an_agent_that_is_to_charge() {
     let scene = r#"{ "giveway": 1, "map": ["....+"], "agents": [{ "name": "A1", "start": [0, 0],
         "goal": [1, 0], "battery": { "capacity": 4, "initial": 2 } }] }"#;
     let plan = r#"{ "giveway": 1, "paths": { "A1": [[0, 0], [1, 0]] } }"#;
-    let (instance, plan) = super::read(scene, plan);
-    let request = Request::Explain(ExplainRequest {
-        scene: instance.to_scene(),
-        plan: Some(plan),
-        question: from_words(&["no-charge", "A1", "--at", "4,0"]).unwrap(),
-        changes: None,
-        at: None,
-        objective: None,
-        within: None,
-        proved: None,
-        known: None,
-        layers: Vec::new(),
-        limits: Limits::default(),
-    });
-    let Response::Explained(answer) = serve(&request, &SilentHost) else {
-        panic!("it is answered");
-    };
+    let (instance, plan) = read(scene, plan);
+    let answer = explain(&instance, &plan, "no-charge A1 --at 4,0");
     assert_eq!(answer.verdict, Verdict::Necessary);
     let first = answer.repairs.iter().map(|repair| &repair.edits[..]);
     let gives = |edits: &[Edit]| matches!(edits, [Edit::Battery { initial: 4, .. }]);

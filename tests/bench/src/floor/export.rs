@@ -1,4 +1,4 @@
-//! The floors, plans and questions, kept for those who ask them elsewhere.
+//! Writes floors, plans and questions to a file: the package is asked the same.
 
 use std::error::Error;
 use std::fs;
@@ -6,7 +6,7 @@ use std::fs;
 use super::Floor;
 
 /// Read by tests/package/floor.mjs.
-const KEPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/floors.json");
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/floors.json");
 
 pub(super) fn write(floors: &[Floor]) -> Result<(), Box<dyn Error>> {
     let floors = floors.iter().map(|floor| {
@@ -27,5 +27,5 @@ pub(super) fn write(floors: &[Floor]) -> Result<(), Box<dyn Error>> {
         })
     });
     let text = serde_json::to_string(&floors.collect::<Vec<_>>())?;
-    Ok(fs::write(KEPT, text)?)
+    Ok(fs::write(FILE, text)?)
 }
