@@ -58,14 +58,15 @@ describe("an answer layer by layer", () => {
     await begun(playground);
     await playground.key("Escape");
     await playground.press("To end");
-    // The bars take the press: a wait is a hollow bar.
+    // The bars take the press: a wait is a hollow bar. A phone has the question in another tab.
+    await playground.showTab("Timeline");
     const wait = await playground.page.locator(".lane").filter({ hasText: "A2" }).locator(".waits").first().boundingBox();
     await playground.page.mouse.click(wait.x + wait.width / 2, wait.y + wait.height / 2);
     await playground.inspector.getByRole("heading", { name: "A2", level: 2 }).waitFor();
     await playground.reaches(0);
     await playground.inspector.getByRole("button", { name: /^Why does A2 wait at \(3, 1\)\?/ }).first().click();
     await playground.button("Show the other plan").waitFor({ timeout: 60_000 });
-  }, { screens: ["desktop"] });
+  }, { screens: ["desktop", "phone"] });
 });
 
 /** Two robots, of which A2 waits at the start, and A2 is selected. */

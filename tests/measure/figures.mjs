@@ -4,6 +4,7 @@ import { join } from "node:path";
 
 import { root } from "../e2e/dist.mjs";
 import { eventually } from "../e2e/wait.mjs";
+import { asking } from "./asking.mjs";
 import { revising } from "./change.mjs";
 import { atOnce, crowd, painting } from "./crowd.mjs";
 import { SOLVED, figure, inPage, middle, smoothness } from "./figure.mjs";
@@ -19,7 +20,7 @@ const TIMES = 5;
 const SOLVING = 8;
 
 /** The figures by what they are about: functions of the page's address. */
-export const FIGURES = { opening, network, playing, crowd, atOnce, painting, floor, solving, bound, proof, mustBeSo, revising, memory };
+export const FIGURES = { opening, network, playing, crowd, atOnce, painting, floor, solving, bound, proof, asking, mustBeSo, revising, memory };
 
 async function opening(url) {
   const paints = [];

@@ -1,11 +1,24 @@
 //! Text to the clipboard.
 
 use giveway_model::{tr, tr_data};
-use giveway_page::Notice;
+use giveway_page::{Action, FileAction, Notice};
 use wasm_bindgen_futures::JsFuture;
+use yew::Callback;
 use yew::platform::spawn_local;
 
 use crate::support;
+
+/// Puts a table into the clipboard, and tells how that went.
+pub(crate) fn table(rows: &str, send: &Callback<Action>) {
+    let send = send.clone();
+    text(tr!("table"), rows, move |done| {
+        let notice = match done {
+            Ok(()) => Notice::information(tr_data!("Table copied.")),
+            Err(notice) => notice,
+        };
+        send.emit(Action::File(FileAction::Tell(notice)));
+    });
+}
 
 /// Puts a text into the clipboard, then tells how that went; `what` is in the
 /// sentence where it did not go well.

@@ -153,7 +153,7 @@ pub(crate) fn take(
         Ok(Reading::Scenario(choice)) => show.emit(Panel::Agents(Rc::new(*choice))),
         Ok(Reading::Lesson(text)) => show.emit(Panel::Course(text)),
         Ok(Reading::Illegal(files)) => send.emit(Action::Intake(IntakeAction::Read(files))),
-        Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+        Err(notice) => send.emit(Action::File(FileAction::Tell(notice))),
     }
 }
 
@@ -222,7 +222,7 @@ pub(crate) fn save_picture(state: &State, is_png: bool, send: Callback<Action>) 
         };
         match blob.await {
             Ok(blob) => save_as(&name, blob),
-            Err(_) => send.emit(Action::File(FileAction::Refuse(Notice::refusal(tr_data!(
+            Err(_) => send.emit(Action::File(FileAction::Tell(Notice::refusal(tr_data!(
                 "The browser could not make the picture."
             ))))),
         }

@@ -37,7 +37,7 @@ pub(crate) async fn lay(brought: Brought<'_>, send: &Callback<Action>) {
                 "{name} is no picture that can be shown; the scene stays as it is.",
                 name = &brought.picture.name
             ));
-            Action::File(FileAction::Refuse(notice.with([why])))
+            Action::File(FileAction::Tell(notice.with([why])))
         }
     };
     send.emit(action);

@@ -175,7 +175,7 @@ pub(crate) fn choose(tag: &str, send: &Callback<Action>) {
     let send = send.clone();
     spawn_local(async move {
         if let Err(error) = turn_to(wanted()).await {
-            send.emit(Action::File(FileAction::Refuse(
+            send.emit(Action::File(FileAction::Tell(
                 Notice::refusal(tr_data!(
                     "The language did not arrive; the page stays as it is."
                 ))

@@ -88,7 +88,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
     ))
     .with([tr!("Press Ctrl V instead.").to_owned()]);
     let Some(clipboard) = support::clipboard("readText") else {
-        return send.emit(Action::File(FileAction::Refuse(refused)));
+        return send.emit(Action::File(FileAction::Tell(refused)));
     };
     let read = clipboard.read_text();
     let state: State = (**state).clone();
@@ -98,7 +98,7 @@ pub(crate) fn ask(state: &Shown, send: Callback<Action>, show: Callback<Panel>) 
                 let text = text.as_string().unwrap_or_default();
                 take(&state, &text, false, &send, &show);
             }
-            Err(_) => send.emit(Action::File(FileAction::Refuse(refused))),
+            Err(_) => send.emit(Action::File(FileAction::Tell(refused))),
         }
     });
 }

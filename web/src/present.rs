@@ -32,7 +32,7 @@ pub(crate) fn use_presenting(is_presented: bool, send: &Callback<Action>) {
         let missing = move |why| {
             failures.set(number + 1);
             send.emit(END);
-            send.emit(Action::File(FileAction::Refuse(
+            send.emit(Action::File(FileAction::Tell(
                 Notice::refusal(tr_data!(
                     "The presentation could not be loaded. Try again when the network is back."
                 ))

@@ -46,7 +46,7 @@ pub(crate) fn Agents(props: &AgentsProps) -> Html {
             on_close.emit(());
             send.emit(match choice.scene(agents as usize) {
                 Ok(scene) => Action::File(FileAction::Open(Box::new(scene))),
-                Err(notice) => Action::File(FileAction::Refuse(notice)),
+                Err(notice) => Action::File(FileAction::Tell(notice)),
             });
         })
     };

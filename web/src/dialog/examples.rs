@@ -88,6 +88,6 @@ fn open(example: &Example, send: &Callback<Action>) {
             send.emit(Action::File(FileAction::Open(Box::new(scene))));
             send.emit(Action::Solve(SolveAction::Begin));
         }
-        Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+        Err(notice) => send.emit(Action::File(FileAction::Tell(notice))),
     }
 }

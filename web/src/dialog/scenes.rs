@@ -71,7 +71,7 @@ pub(crate) fn Scenes(props: &ScenesProps) -> Html {
             if keep::keep_scene(&state) {
                 names.set(keep::scenes());
             } else {
-                send.emit(Action::File(FileAction::Refuse(Notice::refusal(tr_data!(
+                send.emit(Action::File(FileAction::Tell(Notice::refusal(tr_data!(
                     "This browser has no room for the scene: save it as a file."
                 )))));
             }

@@ -40,7 +40,7 @@ pub(crate) fn Share(props: &ShareProps) -> Html {
             let (send, told) = (send.clone(), told.clone());
             copy::text(what, &text, move |done| match done {
                 Ok(()) => told.set(done_so),
-                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+                Err(notice) => send.emit(Action::File(FileAction::Tell(notice))),
             });
         })
     };

@@ -73,7 +73,7 @@ fn show_plan(lane: &Lane, units: Option<Units>, send: &Callback<Action>) -> Html
                 <div><dt>{ tr!("Waits") }</dt><dd><span>
                     <b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }
                     if turns > 0 { { tr!(", {turns} of them to turn", turns) } }
-                    if broken > 0 { { tr!(", {broken} of them broken down", broken) } }
+                    if broken == waits { { tr!(", in which it is broken down") } } else if broken > 0 { { tr!(", {broken} of them broken down", broken) } }
                 </span></dd></div>
             }
             if !lane.charges.is_empty() {

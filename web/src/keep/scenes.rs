@@ -61,7 +61,7 @@ pub(crate) fn scene(name: &str) -> Action {
 pub(super) fn open(text: &str) -> Action {
     Action::File(match link::kept_moment(text) {
         Ok(moment) => FileAction::Resume(Box::new(moment)),
-        Err(notice) => FileAction::Refuse(notice.under(tr_data!(
+        Err(notice) => FileAction::Tell(notice.under(tr_data!(
             "The scene cannot be opened. It stays where it is."
         ))),
     })

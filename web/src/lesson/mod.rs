@@ -152,7 +152,7 @@ impl Course {
     /// It could not be loaded: the next press tries again.
     fn missing(&self, why: String) {
         self.0.stage.set(Stage::Absent);
-        self.0.send.emit(Action::File(FileAction::Refuse(
+        self.0.send.emit(Action::File(FileAction::Tell(
             Notice::refusal(tr_data!(
                 "The course could not be loaded. Try again when the network is back."
             ))

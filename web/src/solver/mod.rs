@@ -125,7 +125,7 @@ impl Solver {
         let send = self.0.send.clone();
         // Not while the page is being built, and in the place of what is told of the run.
         Timeout::new(0, move || {
-            send.emit(Action::File(FileAction::Refuse(
+            send.emit(Action::File(FileAction::Tell(
                 Notice::refusal(tr_data!(
                     "Plans can be looked at here, but nothing can be solved."
                 ))

@@ -9,7 +9,8 @@ use giveway_page::inside::Note;
 use giveway_page::steering::Steering;
 use giveway_page::timeline::{Lane, Row, shown_names};
 use giveway_page::{
-    Action, Answer, BoardAction, PlayAction, Selection, changing, freedom, order, table,
+    Action, Answer, BoardAction, PlayAction, Selection, Tab, ViewAction, changing, freedom, order,
+    table,
 };
 use web_sys::Element;
 use yew::prelude::*;
@@ -155,9 +156,11 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 selection(&state, &lanes, index)
             };
             send.emit(Action::Board(BoardAction::Select(to)));
-            // The question about a wait or a charge is there at its time.
+            // The question about a wait or a charge is there at its time; a phone has it in
+            // another tab.
             if let Some(time) = time {
                 send.emit(Action::Play(PlayAction::Seek(time)));
+                send.emit(Action::View(ViewAction::ShowTab(Tab::Inspector)));
             }
         })
     };

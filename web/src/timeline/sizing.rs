@@ -28,7 +28,7 @@ pub(super) fn Sizing(props: &DockProps) -> Html {
                 { places(state, send) }
                 if state.playing().is_some() { { play_keys(state, send) }{ clock(state, send) } }
                 <span class="grow"></span>
-                { tools(state) }
+                { tools(state, send) }
             </div>
             if all.is_empty() {
                 <div class="nil">{ icon::show("many") }<p><b>{ tr!("Nothing solved yet") }</b>{ tr!("Say how many robots, then solve: three charts come here.") }</p></div>
@@ -44,11 +44,14 @@ pub(super) fn Sizing(props: &DockProps) -> Html {
     }
 }
 
-fn tools(state: &Shown) -> Html {
+fn tools(state: &Shown, send: &Callback<Action>) -> Html {
     let Some(text) = table(state) else {
         return Html::default();
     };
-    let copies = Callback::from(move |_: MouseEvent| copy::text(tr!("table"), &text, |_| {}));
+    let copies = {
+        let send = send.clone();
+        Callback::from(move |_: MouseEvent| copy::table(&text, &send))
+    };
     let saves = {
         let state = state.clone();
         Callback::from(move |_: MouseEvent| crate::files::save_sizing(&state))

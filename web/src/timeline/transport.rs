@@ -215,7 +215,7 @@ fn CopyButton(props: &DockProps) -> Html {
                 &table::text(answer),
                 move |done| match done {
                     Ok(()) => copied.set(true),
-                    Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+                    Err(notice) => send.emit(Action::File(FileAction::Tell(notice))),
                 },
             );
         }

@@ -113,7 +113,7 @@ pub(super) fn copy_item(
             let text = files::scene_file(&state).text;
             copy::text(tr!("scene"), &text, move |done| match done {
                 Ok(()) => is_copied.set(true),
-                Err(notice) => send.emit(Action::File(FileAction::Refuse(notice))),
+                Err(notice) => send.emit(Action::File(FileAction::Tell(notice))),
             });
         })
     };

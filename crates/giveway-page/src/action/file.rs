@@ -18,8 +18,8 @@ pub enum FileAction {
     Keep,
     /// A document that the browser kept takes the place of the one on the board.
     Resume(Box<Moment>),
-    /// Something could not be done; the document stays.
-    Refuse(Notice),
+    /// What became of something that was copied, opened or saved; the document stays.
+    Tell(Notice),
     /// Tells why a link is not opened.
     RefuseLink(Notice),
 }

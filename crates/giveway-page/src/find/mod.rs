@@ -4,10 +4,11 @@ mod small;
 #[cfg(test)]
 mod tests;
 
-use giveway_model::tr;
 use giveway_model::words::grouped;
+use giveway_model::{Cell, tr};
 
 use crate::State;
+use crate::changing::stopped;
 
 /// What is typed to find a robot, and which of the robots that fit is selected.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -54,7 +55,12 @@ pub fn found(state: &State) -> Option<Found> {
         (_, 0) => tr!("a robot by its name" => "none").to_owned(),
         (_, all) => {
             let place = grouped(find.chosen as u64 + 1);
-            tr!("{place} of {all}", place, all = grouped(all as u64))
+            let all = grouped(all as u64);
+            if broken_down(state, chosen(state)).is_some() {
+                tr!("{place} of {all}, broken down for good", place, all)
+            } else {
+                tr!("{place} of {all}", place, all)
+            }
         }
     };
     Some(Found {
@@ -64,7 +70,7 @@ pub fn found(state: &State) -> Option<Found> {
     })
 }
 
-/// All robots that are there and whose names have a text: first the one of that
+/// All robots that are there, as an obstacle at least, and whose names have a text: first the one of that
 /// very name, then those of that number, then those that begin with it.
 fn fitting(state: &State, typed: &str) -> Vec<usize> {
     let typed = small::letters(typed.trim());
@@ -82,11 +88,19 @@ fn fitting(state: &State, typed: &str) -> Vec<usize> {
             Some(_) => 3,
             None => continue,
         };
-        if state.is_there(index) {
+        if state.is_there(index) || broken_down(state, Some(index)).is_some() {
             ranks[rank].push(index);
         }
     }
     ranks.concat()
+}
+
+/// Where a robot stays that has broken down for good.
+pub(crate) fn broken_down(state: &State, agent: Option<usize>) -> Option<Cell> {
+    let agent = agent.filter(|&agent| !state.is_there(agent))?;
+    let mut all = stopped(state).into_iter();
+    let own = all.find(|stopped| stopped.agent == Some(agent))?;
+    Some(own.cell)
 }
 
 impl Find {

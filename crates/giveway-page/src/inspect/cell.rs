@@ -2,6 +2,7 @@
 
 use giveway_model::{Cell, Ground, tr};
 
+use crate::changing::stopped;
 use crate::timeline::Lane;
 use crate::{State, table};
 use giveway_model::sorting::sort_by_key;
@@ -15,7 +16,8 @@ pub struct CellFacts {
     pub ground: &'static str,
     /// The icon of that, and none for free cells.
     pub icon: Option<&'static str>,
-    /// Whose start, goal or waypoint it is: the agent's index, and `Start of A1`.
+    /// Whose start, goal or waypoint it is, and who has broken down on it for good: the agent's
+    /// index, and `Start of A1`.
     pub roles: Vec<(usize, String)>,
     /// The zones that it is part of, by name.
     pub zones: Vec<String>,
@@ -59,6 +61,12 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
             if is {
                 roles.push((index, tr!("{what} of {name}", what, name)));
             }
+        }
+    }
+    for stopped in stopped(state) {
+        if let Some(agent) = stopped.agent.filter(|_| stopped.cell == cell) {
+            let name = &stopped.name;
+            roles.push((agent, tr!("{name}, broken down for good", name)));
         }
     }
     let answer = state.playing();

@@ -157,7 +157,7 @@ pub(crate) fn fate(state: &State, lesson: &Lesson, action: &Action) -> Fate {
     match action {
         Action::Slot(_) | Action::File(FileAction::Resume(_)) => Fate::Own,
         Action::Intake(IntakeAction::Reply { .. }) => Fate::Leaves,
-        Action::File(action) if !matches!(action, FileAction::Refuse(_)) => Fate::Leaves,
+        Action::File(action) if !matches!(action, FileAction::Tell(_)) => Fate::Leaves,
         _ if lesson.is_tour() => Fate::Happens,
         Action::Board(BoardAction::PickTool(tool)) if !lesson.allows(*tool) => {
             Fate::Closed(tr!("This step does without that tool."))

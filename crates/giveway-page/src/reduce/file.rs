@@ -24,7 +24,7 @@ pub(super) fn file(state: &mut State, action: FileAction) {
             state.view.waiting.unchecked = false;
         }
         FileAction::Resume(moment) => resume(state, *moment),
-        FileAction::Refuse(notice) => state.view.notice = Some(notice),
+        FileAction::Tell(notice) => state.view.notice = Some(notice),
         FileAction::RefuseLink(notice) => {
             state.view.notice = Some(notice);
             state.view.waiting.refused = state.is_embedded();

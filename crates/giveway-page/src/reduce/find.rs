@@ -3,7 +3,7 @@
 use giveway_model::Cell;
 
 use super::board;
-use crate::find::{Find, FindAction, chosen, count};
+use crate::find::{Find, FindAction, broken_down, chosen, count};
 use crate::view::Sought;
 use crate::{Selection, State};
 
@@ -32,9 +32,14 @@ pub(super) fn find(state: &mut State, action: FindAction) {
     }
 }
 
-/// Selects the robot that was found and brings it into view.
+/// Selects the robot that was found, or its cell, and brings it into view.
 fn select(state: &mut State) {
     let Some(agent) = chosen(state) else { return };
+    // One that has broken down for good is an obstacle by now.
+    if let Some(cell) = broken_down(state, Some(agent)) {
+        board::select(state, Selection::Cell(cell));
+        return show(state, cell);
+    }
     board::select(state, Selection::Agent(agent));
     if let Some(cell) = crate::board::place_of(state, agent) {
         show(state, cell);

@@ -241,7 +241,7 @@ fn ran(state: &mut State, run: Run) {
             .with([why])
         }),
     });
-    let action = linked.map_or_else(FileAction::Refuse, |linked| {
+    let action = linked.map_or_else(FileAction::Tell, |linked| {
         FileAction::OpenLink(Box::new(Linked { question, ..linked }))
     });
     file::file(state, action);

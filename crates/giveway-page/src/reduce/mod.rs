@@ -125,7 +125,7 @@ pub(crate) const fn only_looks(action: &Action) -> bool {
         Action::Board(action) => matches!(action, BoardAction::StepCursor { carries: false, .. }),
         Action::File(action) => matches!(
             action,
-            FileAction::OpenLink(_) | FileAction::Refuse(_) | FileAction::RefuseLink(_)
+            FileAction::OpenLink(_) | FileAction::Tell(_) | FileAction::RefuseLink(_)
         ),
         Action::Solve(action) => matches!(action, SolveAction::Cancel),
         Action::Edit(_)

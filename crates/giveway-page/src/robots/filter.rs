@@ -12,19 +12,11 @@ pub(super) fn fits(row: &Row, filter: &str) -> bool {
     if filter.is_empty() {
         return true;
     }
-    let no = tr!("in a filter: no battery" => "no");
-    let (is_none, filter) = match filter.strip_prefix(&format!("{no} ")) {
-        Some(rest) => (true, rest.to_owned()),
-        None => (false, filter),
-    };
-    let column = Column::ALL.into_iter().find_map(|column| {
-        let rest = filter.strip_prefix(&column.name().to_lowercase())?;
-        Some((column, rest.trim().to_owned()))
-    });
-    let Some((column, rest)) = column else {
+    let (is_none, filter) = without_no(&filter);
+    let Some((column, rest)) = named(filter) else {
         return row
             .text(Column::Name)
-            .is_some_and(|name| name.to_lowercase().contains(&filter));
+            .is_some_and(|name| name.to_lowercase().contains(filter));
     };
     let text = row.text(column).unwrap_or_default();
     if is_none {
@@ -46,10 +38,34 @@ pub(super) fn fits(row: &Row, filter: &str) -> bool {
             }
         });
     }
-    match (super::read::numbers(&rest), super::read::numbers(text)) {
+    match (super::read::numbers(rest), super::read::numbers(text)) {
         (Some(wanted), Some(own)) if !wanted.is_empty() => wanted.iter().all(|n| own.contains(n)),
-        _ => !text.is_empty() && text.to_lowercase().contains(&rest),
+        _ => !text.is_empty() && text.to_lowercase().contains(rest),
     }
+}
+
+/// The column that a filter asks about; `None` where it asks for a name.
+pub(super) fn column(filter: &str) -> Option<Column> {
+    let filter = filter.trim().to_lowercase();
+    let (_, filter) = without_no(&filter);
+    named(filter).map(|(column, _)| column)
+}
+
+/// Whether a filter asks for what has nothing there, and the rest of it.
+fn without_no(filter: &str) -> (bool, &str) {
+    let no = format!("{} ", tr!("in a filter: no battery" => "no"));
+    match filter.strip_prefix(&no) {
+        Some(rest) => (true, rest),
+        None => (false, filter),
+    }
+}
+
+/// The column at the beginning of a filter in small letters, and what is asked of it.
+fn named(filter: &str) -> Option<(Column, &str)> {
+    Column::ALL.into_iter().find_map(|column| {
+        let rest = filter.strip_prefix(&column.name().to_lowercase())?;
+        Some((column, rest.trim()))
+    })
 }
 
 /// The order of texts in which numbers count as such: A2 before A10. What is empty is last.

@@ -7,6 +7,7 @@ mod battery;
 mod fault;
 mod filter;
 mod given;
+mod order;
 mod read;
 mod rows;
 #[cfg(test)]
@@ -21,9 +22,10 @@ use crate::State;
 
 pub use fault::Fault;
 pub(crate) use given::{Given, Target, take};
+pub(crate) use order::{HeldRows, hold, shown};
 pub(crate) use read::{Grid, Part, grid};
 pub use rows::{Banner, Cell, Row, Table, copied, table};
-pub(crate) use rows::{csv, own_text, shown};
+pub(crate) use rows::{csv, own_text};
 
 /// What a person does with the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -120,6 +122,8 @@ pub(crate) struct RobotsView {
     /// The column that rows are sorted by, and whether the other way round.
     pub(crate) sort: Option<(Column, bool)>,
     pub(crate) filter: String,
+    /// The rows of before an edit, which moves none of them.
+    pub(crate) held: Option<HeldRows>,
     /// The names of the robots that are selected.
     pub(crate) selected: Rc<BTreeSet<String>>,
     /// The cell of the keyboard: a row as it is shown, and a column.

@@ -2,8 +2,8 @@
 
 use giveway_model::{Agent, csv, tr};
 
-use super::filter::{by_nature, fits};
 use super::given::written;
+use super::order::{is_sorted, shown};
 use super::{Column, Fault, Given, Target, take};
 use crate::State;
 use crate::timeline::Lane;
@@ -17,7 +17,8 @@ pub struct Table {
     pub count: String,
     /// The words of the filter.
     pub filter: String,
-    /// The column that rows are sorted by, and whether the other way round.
+    /// The column that rows are sorted by, and whether the other way round; `None` while an edit
+    /// keeps them in an order that is none of these.
     pub sort: Option<(Column, bool)>,
     /// The cell of the keyboard: a row as it is shown, and a column.
     pub at: (usize, Column),
@@ -108,9 +109,9 @@ pub fn table(state: &State) -> Option<Table> {
                 selected
             ),
         },
+        sort: view.sort.filter(|&sort| is_sorted(&rows, sort)),
         rows,
         filter: view.filter.clone(),
-        sort: view.sort,
         at: view.at,
         selected,
         banner,
@@ -147,27 +148,6 @@ pub(crate) fn csv(state: &State) -> String {
     csv::table(std::iter::once(heads).chain(rows))
 }
 
-/// Which of all rows are shown, in their order: those of the scene come first, by their index,
-/// then those that are given and new.
-pub(crate) fn shown(state: &State) -> Vec<usize> {
-    let view = &state.view.robots;
-    let rows = all_rows(state);
-    let mut indices: Vec<usize> = (0..rows.len()).collect();
-    indices.retain(|&index| rows.get(index).is_some_and(|row| fits(row, &view.filter)));
-    if let Some((column, is_back)) = view.sort {
-        indices.sort_by(|&a, &b| {
-            let key = |index: usize| {
-                rows.get(index)
-                    .and_then(|row| row.text(column))
-                    .unwrap_or_default()
-            };
-            let order = by_nature(key(a), key(b));
-            if is_back { order.reverse() } else { order }
-        });
-    }
-    indices
-}
-
 impl Row {
     pub(super) fn text(&self, column: Column) -> Option<&str> {
         let place = Column::ALL.iter().position(|&other| other == column)?;
@@ -176,7 +156,7 @@ impl Row {
 }
 
 /// Each robot of the scene and each that was given, in a row.
-fn all_rows(state: &State) -> Vec<Row> {
+pub(super) fn all_rows(state: &State) -> Vec<Row> {
     let draft = &state.document.draft;
     let waiting = state.view.robots.waiting.as_ref();
     let given = waiting.map_or(&[][..], |waiting| &waiting.given);

@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use giveway_model::tr;
 use giveway_page::robots::{Column, RobotsAction, Table, copied};
 use giveway_page::{Action, State};
 use yew::prelude::*;
@@ -113,7 +112,7 @@ pub(super) fn keys(
                 (0, 0)
             }
             ("c" | "C", true) => {
-                copy::text(tr!("table"), &text, |_| {});
+                copy::table(&text, &send);
                 (0, 0)
             }
             (letter, false) if letter.chars().count() == 1 && !event.alt_key() => {

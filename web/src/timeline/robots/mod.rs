@@ -142,7 +142,10 @@ fn tools(now: &Table, state: &Shown, send: &Callback<Action>) -> Html {
         html! { <button type="button" class="btn ghost round" aria-label={name.clone()} title={name} {onclick}>{ icon::show(sign) }</button> }
     };
     let text = copied(state);
-    let copies = Callback::from(move |_: MouseEvent| copy::text(tr!("table"), &text, |_| {}));
+    let copies = {
+        let send = send.clone();
+        Callback::from(move |_: MouseEvent| copy::table(&text, &send))
+    };
     let saves = {
         let state = state.clone();
         Callback::from(move |_: MouseEvent| crate::files::save_robots(&state))

@@ -53,7 +53,7 @@ pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
         rows.push(CouldRow {
             index: Some(index),
             icon: icon(it.kind),
-            text: text(it, places),
+            text: text(it, places, asking.question().agent()),
             detail: detail(it),
             difference,
             is_costlier,
@@ -99,7 +99,7 @@ fn own_row(asking: &Asking, near: &Near, is_variation: Option<&Variation>) -> Op
         } else {
             tr!("The best found so far").to_owned()
         },
-        detail: told.pays.first().and_then(later).unwrap_or_else(nobody),
+        detail: own_detail(asking, &told.pays),
         difference,
         is_costlier,
         is_chosen: asking.chosen.is_none(),
@@ -181,14 +181,21 @@ const fn icon(kind: VariationKind) -> &'static str {
     }
 }
 
-fn text(it: &Variation, places: usize) -> String {
+fn text(it: &Variation, places: usize, asked: Option<&str>) -> String {
     match (it.kind, it.cell, &it.other) {
         (VariationKind::Elsewhere, ..) if places > 1 => {
             tr!("Wait at any of {n} cells", n = places)
         }
         (VariationKind::Elsewhere, Some(cell), _) => tr!("Wait at {cell}", cell = words::at(cell)),
         (VariationKind::Elsewhere, None, _) => tr!("Wait elsewhere").to_owned(),
-        (VariationKind::OtherWay, ..) => tr!("Go another way").to_owned(),
+        (VariationKind::OtherWay, ..) => {
+            let own = it.pays.iter().find(|it| Some(it.agent.as_str()) == asked);
+            if own.is_some_and(|own| own.more_waits >= 0) {
+                tr!("Go another way and wait there").to_owned()
+            } else {
+                tr!("Go another way").to_owned()
+            }
+        }
         (VariationKind::Swapped, _, Some(other)) => {
             let mut pays = it.pays.iter();
             match pays.find(|it| it.agent == *other) {
@@ -216,6 +223,24 @@ fn detail(it: &Variation) -> String {
         }
         (None, ..) => nobody(),
     }
+}
+
+/// What the robot that is asked about does in the best other plan, and who arrives later by most.
+fn own_detail(asking: &Asking, pays: &[AgentDifference]) -> String {
+    let late = pays.first().and_then(later).unwrap_or_else(nobody);
+    let asked = asking.question().agent();
+    let Some(own) = pays.iter().find(|it| Some(it.agent.as_str()) == asked) else {
+        return late;
+    };
+    let name = &own.agent;
+    let does = match (own.other_way, own.more_waits) {
+        (true, waits) if waits > 0 => tr!("{name} goes another way and waits more", name),
+        (true, _) => tr!("{name} goes another way", name),
+        (false, waits) if waits > 0 => tr!("{name} waits more", name),
+        (false, waits) if waits < 0 => tr!("{name} waits less", name),
+        (false, _) => tr!("{name} waits elsewhere", name),
+    };
+    tr!("{does}; {late}", does, late)
 }
 
 fn later(late: &AgentDifference) -> Option<String> {

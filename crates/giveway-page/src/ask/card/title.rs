@@ -1,7 +1,7 @@
 //! The title of an answer: what could be instead, and what it would cost.
 
 use giveway_model::{Cost, Question, tr};
-use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Verdict, other_charges};
+use giveway_solve::explain::{AgentDifference, ExplainAnswer, How, Part, Verdict, other_charges};
 
 use super::tight::{forcing, forcing_title};
 use super::verdict::is_of_a_whole;
@@ -87,8 +87,12 @@ fn charges_instead(asking: &Asking) -> Option<String> {
     Some(tr!("It could charge {charges} instead", charges))
 }
 
-/// How the other plan of the same costs does without it.
+/// How the other plan of the same costs does without it; not before the closest one is known, which
+/// may do it in another way.
 fn needless(told: &ExplainAnswer) -> Option<String> {
+    if told.pending.contains(&Part::Closest) {
+        return None;
+    }
     let asked = told.question.agent();
     let is_wait = matches!(
         told.question,
@@ -109,6 +113,9 @@ fn needless(told: &ExplainAnswer) -> Option<String> {
             } else {
                 tr!("{name} could arrive later instead", name)
             }
+        }
+        How::OtherWay if is_wait && told.how.contains(&How::Elsewhere) => {
+            tr!("It could go another way and wait there").to_owned()
         }
         How::OtherWay => tr!("It could drive around instead").to_owned(),
         How::Elsewhere if is_wait => tr!("It could wait elsewhere").to_owned(),

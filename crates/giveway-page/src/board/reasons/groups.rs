@@ -11,7 +11,8 @@ use super::{Place, Reasons, Spot, SpotSign, apart, corner};
 use crate::ask::GroupMark;
 use crate::{Answer, Asking, Lit, State};
 
-/// Numbers of the groups of facts; the cells and robots of the one that is lit up.
+/// Numbers of the groups of facts; the cells and robots of the one that is lit up, and the robots
+/// of all of them where nothing is.
 pub(super) fn in_groups(
     reasons: &mut Reasons,
     asking: &Asking,
@@ -49,6 +50,14 @@ pub(super) fn in_groups(
             let cells = cells.map(|&cell| Place { cell, is_lit });
             reasons.places.extend(cells);
             reasons.agents = group.agents.iter().filter_map(index).collect();
+        }
+    }
+    if asking.lit.is_none() {
+        let named = core.groups.iter().flat_map(|group| &group.agents);
+        for robot in named.filter_map(index) {
+            if !reasons.agents.contains(&robot) {
+                reasons.agents.push(robot);
+            }
         }
     }
 }

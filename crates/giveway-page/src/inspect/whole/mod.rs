@@ -11,7 +11,7 @@ use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
 use crate::words::values;
-use crate::{Answer, Size, State, planners};
+use crate::{Answer, Size, State, changing, planners};
 
 pub use costs::CostFacts;
 
@@ -43,7 +43,11 @@ pub fn whole(state: &State) -> Whole {
         } else {
             scene.name.clone()
         },
-        contents: contents(state.world(), |agent| state.is_there(agent)),
+        contents: contents(
+            state.world(),
+            |agent| state.is_there(agent),
+            changing::stopped(state).len(),
+        ),
         claims: Vec::new(),
         costs: Vec::new(),
         work: None,

@@ -32,8 +32,8 @@ pub(crate) fn claim(answer: &Answer) -> Option<String> {
     solved.reason.is_none().then(asked)
 }
 
-/// What a scene contains.
-pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> String {
+/// What a scene contains, and how many robots have broken down for good in it.
+pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool, stopped: usize) -> String {
     let grid = draft.grid();
     let grounds = |is: fn(Ground) -> bool| {
         let rows = (0..grid.height()).map(|y| grid.row(y));
@@ -41,6 +41,9 @@ pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool) -> Strin
     };
     let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
     let mut parts = vec![tr!("{n} robot" | "{n} robots" % agents.count())];
+    if stopped > 0 {
+        parts.push(tr!("{n} broken down for good", n = stopped));
+    }
     let chargers = grounds(Ground::is_charger);
     if chargers > 0 {
         parts.push(tr!("{n} charger" | "{n} chargers" % chargers));

@@ -1,5 +1,6 @@
 //! The table of the robots: typed, pasted, taken; rows selected and what is done with them.
 
+mod duplicate;
 mod paste;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,8 +10,9 @@ use giveway_model::{Agent, Battery, tr_data};
 
 use super::ask;
 use super::document::edit;
-use crate::robots::{Column, Given, RobotsAction, Target, Waiting, take, whose};
-use crate::{Edit, State};
+use crate::robots::{Column, Given, RobotsAction, Target, Waiting, hold, take, whose};
+use crate::{Edit, Notice, State};
+use duplicate::duplicate;
 use paste::paste;
 
 #[inline(never)]
@@ -21,6 +23,7 @@ pub(super) fn robots(state: &mut State, action: RobotsAction) {
     match action {
         RobotsAction::Show(on) => {
             state.view.robots.is_open = on;
+            state.view.robots.held = None;
             if !on {
                 state.view.robots.waiting = None;
             }
@@ -45,16 +48,21 @@ pub(super) fn robots(state: &mut State, action: RobotsAction) {
         }
         RobotsAction::Drop => state.view.robots.waiting = None,
         RobotsAction::Sort(column) => {
-            let sort = &mut state.view.robots.sort;
-            *sort = match *sort {
-                Some((own, false)) if own == column => Some((column, true)),
-                Some((own, true)) if own == column => None,
-                Some(_) | None => Some((column, false)),
+            // What is seen as sorted counts: after an edit the same press sorts again.
+            let seen = crate::robots::table(state).and_then(|table| table.sort);
+            let robots = &mut state.view.robots;
+            robots.held = None;
+            robots.sort = match (robots.sort, seen) {
+                (Some((own, is_back)), None) if own == column => Some((column, is_back)),
+                (Some((own, false)), _) if own == column => Some((column, true)),
+                (Some((own, true)), _) if own == column => None,
+                (Some(_) | None, _) => Some((column, false)),
             };
         }
         RobotsAction::Filter(words) => {
             state.view.robots.filter = words.chars().take(60).collect();
             state.view.robots.at.0 = 0;
+            state.view.robots.held = None;
         }
         RobotsAction::Select(row) => {
             let name = whose(state, row).and_then(|agent| state.document.draft.agents().get(agent));
@@ -73,6 +81,7 @@ pub(super) fn robots(state: &mut State, action: RobotsAction) {
                     initial: old.map_or(capacity, |old| old.initial.min(capacity)),
                 })
             };
+            state.view.robots.held = Some(hold(state));
             let mut agents = state.document.draft.agents().to_vec();
             for index in selected(state) {
                 if let Some(agent) = agents.get_mut(index) {
@@ -176,12 +185,14 @@ fn give(state: &mut State, row: usize, column: Column, text: String) {
 
 /// What was given is taken where all of it fits. What was typed by itself is taken row by row.
 fn settle_given(state: &mut State, waiting: Waiting) {
+    state.view.robots.held = Some(hold(state));
     let taken = take(&state.document.draft, &waiting.given);
     let is_whole = taken.faults.iter().all(Vec::is_empty);
     if !is_whole && waiting.is_pasted {
         state.view.robots.waiting = Some(Rc::new(waiting));
         return;
     }
+    let pasted = waiting.is_pasted.then_some(waiting.given.len());
     let bad = waiting
         .given
         .into_iter()
@@ -196,6 +207,11 @@ fn settle_given(state: &mut State, waiting: Waiting) {
     });
     rename_selected(state, &taken.agents);
     edit(state, Edit::PutAgents(taken.agents));
+    if let (Some(n), None) = (pasted, &state.view.notice) {
+        state.view.notice = Some(Notice::information(tr_data!(
+            "{n} robot pasted." | "{n} robots pasted." % n
+        )));
+    }
 }
 
 /// Rows stay selected under another name.
@@ -207,61 +223,6 @@ fn rename_selected(state: &mut State, agents: &[Agent]) {
             .filter(|(old, _)| state.view.robots.selected.contains(&old.name));
         kept.map(|(_, agent)| agent.name.clone()).collect()
     };
-    state.view.robots.selected = Rc::new(names);
-}
-
-/// Those that are selected come once more: their starts and goals are the nearest free cells.
-fn duplicate(state: &mut State) {
-    let draft = &state.document.draft;
-    let mut given = Vec::new();
-    for index in selected(state) {
-        let Some(agent) = draft.agents().get(index) else {
-            continue;
-        };
-        let mut cells: BTreeMap<Column, String> = Column::ALL
-            .into_iter()
-            .filter(|column| !column.is_result() && *column != Column::Name)
-            .map(|column| (column, crate::robots::own_text(agent, column)))
-            .collect();
-        // What is taken gives way to its remedy: the nearest free cell.
-        for _ in 0..2 {
-            let mut tried: Vec<Given> = given.clone();
-            tried.push(Given {
-                target: Target::New,
-                cells: cells.clone(),
-            });
-            let faults = take(draft, &tried).faults.pop().unwrap_or_default();
-            for fault in faults {
-                if let Some((_, text)) = fault.remedy {
-                    cells.insert(fault.column, text);
-                }
-            }
-        }
-        given.push(Given {
-            target: Target::New,
-            cells,
-        });
-    }
-    if given.is_empty() {
-        return;
-    }
-    let before = draft.agents().len();
-    let agents = take(draft, &given).agents;
-    if agents.len() > crate::MAX_AGENTS {
-        return ask::refuse(
-            state,
-            tr_data!(
-                "At most {most} robots fit on the page.",
-                most = crate::MAX_AGENTS
-            ),
-        );
-    }
-    let names = agents
-        .iter()
-        .skip(before)
-        .map(|agent| agent.name.clone())
-        .collect();
-    edit(state, Edit::PutAgents(agents));
     state.view.robots.selected = Rc::new(names);
 }
 

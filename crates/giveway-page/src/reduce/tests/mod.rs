@@ -173,7 +173,7 @@ fn what_is_shown() {
 fn notices_come_and_go() {
     let notice = Notice::refusal("No.");
     let before = solved();
-    let state = after(&before, [Action::File(FileAction::Refuse(notice.clone()))]);
+    let state = after(&before, [Action::File(FileAction::Tell(notice.clone()))]);
     assert_eq!(state.view.notice, Some(notice));
     assert_eq!(
         after(&state, [Action::View(ViewAction::DismissNotice)]),

@@ -154,6 +154,29 @@ fn rows_are_sorted_and_filtered() {
 }
 
 #[test]
+fn an_edit_moves_no_row_of_a_sorted_table() {
+    let sorted = act(&floor(), &[RobotsAction::Sort(Column::Name)]);
+    let sort = |state: &State| table(state).unwrap().sort;
+    assert_eq!(sort(&sorted), Some((Column::Name, false)));
+    let renamed = typed(&sorted, 0, Column::Name, "Z");
+    assert_eq!(names(&renamed), ["Z", "A3", "A10"]);
+    assert_eq!(sort(&renamed), None, "they stand in no order");
+    // The next cell that is typed in is the one that is seen.
+    let state = typed(&renamed, 0, Column::Level, "7");
+    assert_eq!(state.document.draft.agents()[1].battery.unwrap().initial, 7);
+    let again = act(&state, &[RobotsAction::Sort(Column::Name)]);
+    assert_eq!(names(&again), ["A3", "A10", "Z"]);
+    assert_eq!(sort(&again), Some((Column::Name, false)), "not turned");
+    // Nor does one take a row out of a filter's.
+    let full = RobotsAction::Filter("battery 80".to_owned());
+    let state = typed(&act(&again, &[full]), 1, Column::Battery, "70");
+    assert_eq!(names(&state), ["A3", "A10", "Z"]);
+    // A robot more is another table.
+    let more = act(&state, &[RobotsAction::Select(0), RobotsAction::Duplicate]);
+    assert_eq!(names(&more).len(), 3, "those with a battery of 80");
+}
+
+#[test]
 fn selected_rows_are_deleted_doubled_and_get_a_battery() {
     let state = act(
         &floor(),

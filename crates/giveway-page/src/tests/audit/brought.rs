@@ -21,7 +21,7 @@ fn open(state: &State, files: Vec<Opened>) -> State {
     match read_beside(state, &files) {
         None => read_out(reduce(state, Action::Intake(IntakeAction::Read(files)))),
         Some(Ok(Reading::Scene(scene))) => reduce(state, Action::File(FileAction::Open(scene))),
-        Some(Err(notice)) => reduce(state, Action::File(FileAction::Refuse(notice))),
+        Some(Err(notice)) => reduce(state, Action::File(FileAction::Tell(notice))),
         Some(other) => panic!("{other:?}"),
     }
 }

@@ -5,6 +5,8 @@ use giveway_model::{Battery, Cell};
 
 use super::{changing, joined, list, running};
 use crate::changing::{facts, offers, stopped};
+use crate::find::{self, FindAction};
+use crate::inspect::{self, whole};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, saying, seek};
 use crate::{Action, ChangeAction, Edit, Phase, Selection, State, Tool};
@@ -57,6 +59,25 @@ fn for_good_it_stays_as_an_obstacle_with_its_name() {
     assert_eq!(adopted.phase(), Phase::Planned);
     assert_eq!(stopped(&adopted), named);
     assert!(stopped(&after(&adopted, [seek(0)])).is_empty());
+}
+
+#[test]
+fn for_good_it_is_still_counted_and_found() {
+    let broken = [
+        Action::Change(ChangeAction::BreakDown(0)),
+        Action::Edit(Edit::Stop(0)),
+    ];
+    let state = after(&running(), broken);
+    let cell = stopped(&state)[0].cell;
+    let told = whole(&state).contents;
+    assert!(told.contains(", 1 broken down for good,"), "{told}");
+    let looking = [FindAction::Open, FindAction::Type("A1".to_owned())];
+    let state = after(&state, looking.map(Action::Find));
+    let place = find::found(&state).unwrap().place;
+    assert!(place.ends_with(", broken down for good"), "{place}");
+    assert_eq!(state.view.selection, Selection::Cell(cell));
+    let roles = inspect::cell(&state, cell).unwrap().roles;
+    assert!(roles.contains(&(0, "A1, broken down for good".to_owned())));
 }
 
 #[test]

@@ -29,6 +29,9 @@ pub fn how_sentence(question: &Question, how: &[How], pays: &[AgentDifference]) 
                 |it: &&AgentDifference| it.other > it.arrival || it.more_waits > 0 || it.other_way;
             others_instead(others.find(pays)?)
         }
+        (How::OtherWay, Some(agent)) if is_wait && how.contains(&How::Elsewhere) => {
+            tr!("{agent} could go another way and wait there.", agent)
+        }
         (How::OtherWay, Some(agent)) => tr!("{agent} could drive around instead.", agent),
         (How::Elsewhere, Some(agent)) if is_wait => tr!("{agent} could wait elsewhere.", agent),
         (How::Elsewhere, Some(agent)) => tr!("{agent} could wait instead.", agent),

@@ -146,7 +146,7 @@ fn the_best_plan_is_among_what_it_could_do() {
             (None, "The best that was found", "+1 in the makespan", true),
             (
                 Some(0),
-                "Go another way",
+                "Go another way and wait there",
                 "at most +3 in the makespan",
                 false
             )
@@ -156,8 +156,11 @@ fn the_best_plan_is_among_what_it_could_do() {
     let which = |state: &State| card(state).unwrap().other.unwrap().which.unwrap();
     assert_eq!(which(&state), "the best that was found");
     let chosen = after(&state, [Action::Ask(AskAction::Choose(Some(0)))]);
-    assert_eq!(which(&chosen), "Go another way");
-    assert_eq!(other_title(&chosen), "The other plan: Go another way");
+    assert_eq!(which(&chosen), "Go another way and wait there");
+    assert_eq!(
+        other_title(&chosen),
+        "The other plan: Go another way and wait there"
+    );
     let chosen = card(&chosen).unwrap();
     assert!(!chosen.could[0].is_chosen && chosen.could[1].is_chosen);
     // The verdict is about the best one, and does not call it the other plan.
@@ -186,4 +189,32 @@ fn what_the_plan_shows_is_said_once() {
     };
     assert_eq!(said(""), here);
     assert_eq!(said("None of them."), format!("{here}\nNone of them."));
+}
+
+#[test]
+fn what_it_could_do_says_how_the_robot_goes() {
+    let more = |waits: i64, answer: &mut ExplainAnswer| {
+        answer.pays.push(AgentDifference {
+            more_waits: waits,
+            other_way: true,
+            ..differs("A1", 17, 17)
+        });
+    };
+    let mut answer = with_choice(&asked(), 1);
+    more(-2, &mut answer);
+    let near = answer.near.as_mut().unwrap();
+    near.variations[0].pays[0].more_waits = -1;
+    let shown = card(&respond(&asked(), answer)).unwrap();
+    assert_eq!(
+        shown.could[0].detail,
+        "A1 goes another way; A2 arrives at 11, 1 later"
+    );
+    assert_eq!(shown.could[1].text, "Go another way");
+    let mut answer = with_choice(&asked(), 1);
+    more(2, &mut answer);
+    let shown = card(&respond(&asked(), answer)).unwrap();
+    assert_eq!(
+        shown.could[0].detail,
+        "A1 goes another way and waits more; A2 arrives at 11, 1 later"
+    );
 }

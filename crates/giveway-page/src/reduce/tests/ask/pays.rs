@@ -102,8 +102,12 @@ fn a_needless_answer_says_how() {
     assert_eq!(title(&[How::Free], &wait), "It need not wait at all");
     assert_eq!(title(&[How::Elsewhere], &wait), "It could wait elsewhere");
     assert_eq!(
-        title(&[How::OtherWay, How::Elsewhere], &wait),
+        title(&[How::OtherWay], &wait),
         "It could drive around instead"
+    );
+    assert_eq!(
+        title(&[How::OtherWay, How::Elsewhere], &wait),
+        "It could go another way and wait there"
     );
     assert_eq!(
         title(&[How::Others, How::Elsewhere], &wait),
