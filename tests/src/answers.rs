@@ -106,6 +106,10 @@ pub fn compare(case: &Case, within: Option<u32>) -> (Comparison, ExplainAnswer) 
     let truth = asked.best_with(contrast);
     let mut faults = plan_faults(case, &answer);
     faults.extend(horizon_faults(case, within, &answer));
+    // The plan that stands beside them is one of what these agents alone can do.
+    let more_than_here = answer.alone.iter().filter(|it| it.least > it.here);
+    faults
+        .extend(more_than_here.map(|it| format!("more needed than in the plan beside it: {it:?}")));
     let objective = case.instance.objective();
     let before = recount::costs(&case.plan).vector(objective);
     let (expected, after) = match &truth {

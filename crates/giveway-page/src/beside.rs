@@ -1,9 +1,10 @@
 //! Two plans side by side: which robots differ, and from when on.
 
+mod rows;
+
 use std::rc::Rc;
 
 use giveway_model::sorting::sort_by_key;
-use giveway_model::words::and;
 use giveway_model::{Agent, Cell, Plan, tr};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -11,8 +12,10 @@ use std::collections::BTreeMap;
 use crate::audit::Dropped;
 use crate::{Answer, ComparedLanes, Lit, State};
 
-/// The most differences with a row of their own.
-const ROWS: usize = 12;
+pub use rows::DifferenceRow;
+pub(crate) use rows::rows;
+
+use rows::ROWS;
 
 /// A time at which robots first leave their ways in the plan that is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,17 +37,6 @@ pub struct Steps {
     pub has_previous: bool,
     /// Whether there is one after.
     pub has_next: bool,
-}
-
-/// A difference in the inspector.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DifferenceRow {
-    /// Its time, in steps.
-    pub time: u32,
-    /// Who, in words.
-    pub who: String,
-    /// Whether it is the last one up to the time shown.
-    pub is_now: bool,
 }
 
 /// The first times at which robots are elsewhere, those at one time together, the earliest first.
@@ -127,6 +119,14 @@ pub(crate) fn next(state: &State, is_forward: bool) -> Option<u32> {
     }
 }
 
+/// The robots of the last difference up to the time shown, by their indices.
+pub(crate) fn differing_now(state: &State) -> Vec<usize> {
+    let time = state.view.playback.time;
+    let mut all = state.differences().into_iter();
+    all.rfind(|it| it.time <= time)
+        .map_or_else(Vec::new, |it| it.agents)
+}
+
 /// The row under the boards; nothing where there are not two plans.
 pub fn steps(state: &State) -> Option<Steps> {
     let (this, _) = state.compared()?;
@@ -163,27 +163,6 @@ pub fn steps(state: &State) -> Option<Steps> {
         has_previous: next(state, false).is_some(),
         has_next: next(state, true).is_some(),
     })
-}
-
-/// The differences with a row each, in the inspector.
-pub(crate) fn rows(state: &State) -> Vec<DifferenceRow> {
-    let Some((this, _)) = state.compared() else {
-        return Vec::new();
-    };
-    let time = state.view.playback.time;
-    let differences = state.differences();
-    let passed = differences.iter().filter(|it| it.time <= time).count();
-    let row = |(place, it): (usize, &Difference)| {
-        let names = it.agents.iter();
-        let names = names.filter_map(|&agent| this.agents().get(agent));
-        let names: Vec<&str> = names.map(|agent| agent.name.as_str()).collect();
-        DifferenceRow {
-            time: it.time,
-            who: and(&names),
-            is_now: place + 1 == passed,
-        }
-    };
-    differences.iter().take(ROWS).enumerate().map(row).collect()
 }
 
 /// The lanes that matter while two plans are compared: the robot that was asked about, then those

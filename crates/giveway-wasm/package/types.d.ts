@@ -480,7 +480,7 @@ export interface SubsetBound {
   /** What they need where each is alone: the most of one for the makespan, else the sum. */
   own: number;
   least: number;
-  /** What they have in the plan that is asked about, or in the other plan where that costs more. */
+  /** What they have in the plan that is asked about, or in the other plan where that costs more of this and no more of what matters more. */
   here: number;
 }
 

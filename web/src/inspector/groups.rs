@@ -38,7 +38,12 @@ fn one(group: &GroupRow, facts: &[FactRow], send: &Callback<Action>) -> Html {
                 if let Some(mark) = mark { <em class={class}>{ mark }</em> }
             </button>
             { for group.facts.iter().filter_map(|&fact| loosens(facts.get(fact)?, send)).take(1) }
-            if group.is_open { <ul>{ for group.facts.iter().filter_map(fact) }</ul> }
+            if group.is_open {
+                <ul>
+                    { for group.facts.iter().filter_map(fact) }
+                    if group.more > 0 { <li>{ tr!("and {n} more" | "and {n} more" % group.more as u32) }</li> }
+                </ul>
+            }
         </li>
     }
 }

@@ -30,12 +30,25 @@ const AGENTS: usize = 4;
 pub fn part(state: &State) -> Option<Part> {
     let part = match (chip(state), state.freedom()) {
         (Chip::On, Some(freedom)) => {
-            let told = freedom.told.as_deref()?;
-            match state.view.selection {
-                Selection::Agent(agent) => of_agent(freedom, told, agent),
-                Selection::Cell(cell) => of_cell(freedom, told, cell),
+            let told = freedom.told.as_deref();
+            let (part, is_known, open) = match state.view.selection {
+                Selection::Agent(agent) => (
+                    told.map(|told| of_agent(freedom, told, agent)),
+                    told.is_some_and(|told| told.slack.is_some()),
+                    tr!("Whether it could be later was not found out."),
+                ),
+                Selection::Cell(cell) => (
+                    told.map(|told| of_cell(freedom, told, cell)),
+                    told.is_some_and(|told| told.backbone.is_some()),
+                    tr!("Who must be here was not found out."),
+                ),
                 Selection::Nothing => return None,
+            };
+            let mut part = part.unwrap_or_default();
+            if !is_known && !state.is_counting() {
+                part.facts.push(open.to_owned());
             }
+            part
         }
         (Chip::Ready, _) => Part {
             asks: asks(state),

@@ -4,7 +4,7 @@ use giveway_model::tr;
 use giveway_solve::delays::{AgentDelay, CauseTotal, DelayCause, DelaysAnswer, LossPlace, words};
 
 use super::verdict::verdict;
-use super::{LedgerLit, largest};
+use super::{LedgerLit, asked_of, largest};
 use crate::State;
 use crate::ask::{Offer, VerdictPart};
 
@@ -36,7 +36,7 @@ pub struct Column {
     pub unharmed: Option<String>,
     /// Where most is lost, the worst first.
     pub places: Vec<PlaceRow>,
-    /// The question about the largest loss.
+    /// The question about the loss that is lit up, else about the largest.
     pub ask: Option<Offer>,
 }
 
@@ -153,7 +153,9 @@ fn fill(column: &mut Column, state: &State, told: &DelaysAnswer) {
     column.places = places
         .map(|(rank, place)| place_row(rank, place, lit))
         .collect();
-    column.ask = largest(told).map(|question| Offer::new("question", question));
+    let lit = column.losses.iter().find(|row| row.is_lit);
+    let question = lit.map_or_else(|| largest(told), |row| Some(asked_of(row.name.clone())));
+    column.ask = question.map(|question| Offer::new("question", question));
 }
 
 fn loss(state: &State, row: &AgentDelay, lit: Option<LedgerLit>) -> LossRow {

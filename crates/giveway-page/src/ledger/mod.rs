@@ -199,6 +199,10 @@ pub(crate) fn doing(state: &State) -> &'static str {
 /// The question about the largest loss.
 pub(crate) fn largest(told: &DelaysAnswer) -> Option<Question> {
     let first = told.agents.first().filter(|row| row.delay > 0)?;
-    let agent = first.agent.clone();
-    Some(Question::Arrival { agent })
+    Some(asked_of(first.agent.clone()))
+}
+
+/// The question about the loss of a robot.
+const fn asked_of(agent: String) -> Question {
+    Question::Arrival { agent }
 }

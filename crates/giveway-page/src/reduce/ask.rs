@@ -155,6 +155,17 @@ pub(super) fn close(state: &mut State) {
     }
 }
 
+/// Beside a question's other plan a robot that is pressed is lit up; the question stays. Whether it
+/// is so.
+pub(super) fn lights_robot(state: &mut State, agent: usize) -> bool {
+    let asking = state.document.mode.asking();
+    let is_beside = asking.is_some_and(|asking| asking.shows_other);
+    if is_beside {
+        light(state, Some(Lit::Robot(agent)));
+    }
+    is_beside
+}
+
 fn change(state: &mut State, by: impl FnOnce(&mut Asking)) {
     if let Some(asking) = state.document.mode.asking_mut() {
         by(asking);

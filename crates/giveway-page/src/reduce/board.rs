@@ -111,6 +111,11 @@ pub(super) fn select(state: &mut State, selection: Selection) {
     if floor_plan::takes_cell(state, selection) {
         return;
     }
+    if let Selection::Agent(agent) = selection
+        && ask::lights_robot(state, agent)
+    {
+        return;
+    }
     ask::close(state);
     if rules::takes_cell(state, selection) {
         return;

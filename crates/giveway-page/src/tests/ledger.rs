@@ -8,15 +8,28 @@ use crate::keys::{Command, Key, command};
 use crate::ledger::{Column, LedgerAction, LedgerLit, column, heat, legend, notes};
 use crate::reduce::tests::after;
 use crate::{
-    Action, AskAction, BoardAction, Draft, Phase, Selection, SolveAction, State, Tool,
-    WorkerAction, ask,
+    Action, AskAction, BoardAction, Draft, Phase, Selection, SolveAction, State, Tool, WorkerAction,
 };
 
-const OPEN: Action = Action::Ledger(LedgerAction::Show(true));
+pub(super) const OPEN: Action = Action::Ledger(LedgerAction::Show(true));
 
 /// A corridor with one cell to step aside into: one of the two robots waits there.
 pub(super) fn corridor() -> State {
-    let agent = |name: &str, start: (u32, u32), goal: (u32, u32)| Agent {
+    solved(
+        &["......", "##.###", "......"],
+        &[
+            ("A1", (0, 0), (5, 0)),
+            ("A2", (5, 0), (0, 0)),
+            ("A3", (0, 2), (5, 2)),
+        ],
+    )
+}
+
+/// A robot's name, start and goal.
+pub(super) type Task = (&'static str, (u32, u32), (u32, u32));
+
+pub(super) fn solved(map: &[&str], tasks: &[Task]) -> State {
+    let agent = |&(name, start, goal): &Task| Agent {
         name: name.to_owned(),
         start: Cell::new(start.0, start.1),
         goal: Some(Cell::new(goal.0, goal.1)),
@@ -25,23 +38,19 @@ pub(super) fn corridor() -> State {
         heading: None,
     };
     let scene = Scene {
-        map: ["......", "##.###", "......"].map(str::to_owned).to_vec(),
-        agents: vec![
-            agent("A1", (0, 0), (5, 0)),
-            agent("A2", (5, 0), (0, 0)),
-            agent("A3", (0, 2), (5, 2)),
-        ],
+        map: map.iter().map(|&row| row.to_owned()).collect(),
+        agents: tasks.iter().map(agent).collect(),
         ..Scene::default()
     };
     let state = State::new(Draft::new(scene).unwrap());
     answered(&after(&state, [Action::Solve(SolveAction::Solve)]))
 }
 
-fn told() -> State {
+pub(super) fn told() -> State {
     answered(&after(&corridor(), [OPEN]))
 }
 
-fn column_of(state: &State) -> Column {
+pub(super) fn column_of(state: &State) -> Column {
     column(state).unwrap()
 }
 
@@ -144,26 +153,6 @@ fn the_heat_map_has_each_lost_step_once() {
     let places = &state.ledger().unwrap().told.as_ref().unwrap().places;
     assert_eq!(squares(&heat(&lit).unwrap()), places[0].cells.len());
     assert!(column_of(&lit).places[0].is_lit && heat(&lit).unwrap().frames[0].is_lit);
-}
-
-#[test]
-fn its_foot_asks_about_the_largest_loss_and_the_way_back_leads_to_it() {
-    let state = told();
-    let offer = column_of(&state).ask.unwrap();
-    let first = &column_of(&state).losses[0];
-    let question = Question::Arrival {
-        agent: first.name.clone(),
-    };
-    assert_eq!(offer.question, question);
-    assert_eq!(
-        offer.text,
-        format!("Why does {} not arrive sooner?", first.name)
-    );
-    let asked = answered(&after(&state, [Action::Ask(AskAction::Ask(question))]));
-    assert_eq!(column(&asked), None);
-    assert!(ask::card(&asked).is_some() && heat(&asked).is_none());
-    let back = after(&asked, [Action::Ask(AskAction::Close)]);
-    assert_eq!(column(&back), column(&state));
 }
 
 #[test]

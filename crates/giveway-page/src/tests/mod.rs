@@ -10,6 +10,7 @@ mod gives_way;
 mod handed_on;
 mod inside;
 mod ledger;
+mod ledger_foot;
 mod lesson;
 mod moving;
 mod opening;

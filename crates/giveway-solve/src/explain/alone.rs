@@ -24,8 +24,8 @@ pub struct SubsetBound {
     pub own: u32,
     /// What they need together, proved.
     pub least: u32,
-    /// What they have in the plan that is asked about, or in the other plan where that is what
-    /// costs more.
+    /// What they have in the plan that is asked about, or in the other plan where that costs more
+    /// of this and no more of what matters more.
     pub here: u32,
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Cell, Cost, tr};
+use giveway_model::{Cell, Cost, Question, tr};
 use giveway_solve::explain::{AgentDifference, Near, Variation, VariationKind, Verdict};
 
 use crate::beside::same_walks;
@@ -32,7 +32,7 @@ pub struct CouldRow {
 
 /// A row for each way that was looked at.
 pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
-    let Some(near) = near(asking) else {
+    let (Some(told), Some(near)) = (asking.told.as_deref(), near(asking)) else {
         return Vec::new();
     };
     let chosen = asking.variation();
@@ -53,7 +53,7 @@ pub(super) fn could(asking: &Asking) -> Vec<CouldRow> {
         rows.push(CouldRow {
             index: Some(index),
             icon: icon(it.kind),
-            text: text(it, places, asking.question().agent()),
+            text: text(&told.question, it, places),
             detail: detail(it),
             difference,
             is_costlier,
@@ -181,7 +181,7 @@ const fn icon(kind: VariationKind) -> &'static str {
     }
 }
 
-fn text(it: &Variation, places: usize, asked: Option<&str>) -> String {
+fn text(question: &Question, it: &Variation, places: usize) -> String {
     match (it.kind, it.cell, &it.other) {
         (VariationKind::Elsewhere, ..) if places > 1 => {
             tr!("Wait at any of {n} cells", n = places)
@@ -189,8 +189,10 @@ fn text(it: &Variation, places: usize, asked: Option<&str>) -> String {
         (VariationKind::Elsewhere, Some(cell), _) => tr!("Wait at {cell}", cell = words::at(cell)),
         (VariationKind::Elsewhere, None, _) => tr!("Wait elsewhere").to_owned(),
         (VariationKind::OtherWay, ..) => {
-            let own = it.pays.iter().find(|it| Some(it.agent.as_str()) == asked);
-            if own.is_some_and(|own| own.more_waits >= 0) {
+            let is_wait = matches!(question, Question::Wait { .. } | Question::Yield { .. });
+            let mut pays = it.pays.iter();
+            let own = pays.find(|it| Some(it.agent.as_str()) == question.agent());
+            if is_wait && own.is_some_and(|own| own.more_waits >= 0) {
                 tr!("Go another way and wait there").to_owned()
             } else {
                 tr!("Go another way").to_owned()

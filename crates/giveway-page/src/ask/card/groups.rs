@@ -20,9 +20,15 @@ pub struct GroupRow {
     pub price: Option<String>,
     /// Whether it is lit up, and open.
     pub is_open: bool,
-    /// Its facts, by their places among the facts of its set.
+    /// Its facts, by their places among the facts of its set: the first of many.
     pub facts: Vec<usize>,
+    /// How many facts it has besides.
+    pub more: usize,
 }
+
+/// So many facts of a group are listed: the obstacles of an aisle are told by its name, and light
+/// up on the map.
+const FACTS: usize = 8;
 
 /// The groups of a set.
 pub(super) fn groups(asking: &Asking, core: &Core) -> Vec<GroupRow> {
@@ -41,7 +47,11 @@ pub(super) fn groups(asking: &Asking, core: &Core) -> Vec<GroupRow> {
             mark: group.mark(),
             price: price(asking, group),
             is_open: open == Some(index) && !asking.folds_groups,
-            facts: group.facts.iter().map(|&fact| fact as usize).collect(),
+            facts: {
+                let listed = group.facts.iter().take(FACTS);
+                listed.map(|&fact| fact as usize).collect()
+            },
+            more: group.facts.len().saturating_sub(FACTS),
         })
         .collect()
 }

@@ -1,7 +1,7 @@
 //! What is told in the place of reasons, or of what would help, where a search ended without them.
 
 use giveway_model::tr;
-use giveway_solve::explain::{ExplainAnswer, Layer, Part, Verdict};
+use giveway_solve::explain::{ExplainAnswer, GroupMark, Layer, Part, Verdict};
 
 use super::Card;
 use super::coming::layers;
@@ -38,7 +38,9 @@ pub(super) fn missing(
     let can_help = has(Layer::Help) && asking.can_be_repaired() && card.repairs.is_empty();
     if can_help && matches!(told.verdict, Verdict::Costly | Verdict::Necessary) {
         let title = tr!("What would help");
-        let sentence = if told.exhaustive {
+        let sentence = if has_helping_group(told) {
+            tr!("What is marked as helping above. Nothing else was found.")
+        } else if told.exhaustive {
             tr!("No change of one or two things in the scene helps.")
         } else if told.pending.contains(&Part::Repairs) {
             tr!("The search ended before this was looked for.")
@@ -49,6 +51,12 @@ pub(super) fn missing(
         missing.push(Missing { title, sentences });
     }
     missing
+}
+
+/// Whether a group of the reasons has a fact without which there is a plan that costs less.
+fn has_helping_group(told: &ExplainAnswer) -> bool {
+    let mut groups = told.core.iter().flat_map(|core| &core.groups);
+    groups.any(|group| group.mark() == GroupMark::Helps)
 }
 
 /// Why there is no reason; `None` where none is needed.

@@ -256,9 +256,10 @@ pub(crate) fn numbers_facts(asking: &Asking) -> bool {
     matches!(asking.question(), Question::Unsolvable)
 }
 
-/// What is claimed of the other plan: that none as good is closer to this one,
-/// where that is proved.
+/// What is claimed of the best other plan, where no variation is looked at: that none as good is
+/// closer to this one, where that is proved.
 pub fn closeness(state: &State) -> Option<&'static str> {
-    let told = state.document.mode.asking()?.told.as_deref()?;
-    told.closest.then_some(tr!("closest to this plan"))
+    let asking = state.document.mode.asking()?;
+    let is_proved = asking.told.as_deref()?.closest && asking.chosen.is_none();
+    is_proved.then_some(tr!("closest to this plan"))
 }

@@ -114,6 +114,12 @@ fn needless(told: &ExplainAnswer) -> Option<String> {
                 tr!("{name} could arrive later instead", name)
             }
         }
+        How::OtherWay | How::Elsewhere | How::Free
+            if asked.is_some()
+                && let Some(title) = so(&told.question) =>
+        {
+            title.to_owned()
+        }
         How::OtherWay if is_wait && told.how.contains(&How::Elsewhere) => {
             tr!("It could go another way and wait there").to_owned()
         }
@@ -123,6 +129,37 @@ fn needless(told: &ExplainAnswer) -> Option<String> {
         How::Free if is_wait => tr!("It need not wait at all").to_owned(),
         How::Free => tr!("It was for nothing").to_owned(),
     })
+}
+
+/// What a robot could do or be as a question asks, where that says more than that something could
+/// go: `It could arrive sooner`.
+fn so(question: &Question) -> Option<&'static str> {
+    match question {
+        Question::NoCharge { .. } | Question::NoVisit { .. } | Question::NoMove { .. } => {
+            Some(tr!("It could do so"))
+        }
+        Question::Arrival { .. } => Some(tr!("It could arrive sooner")),
+        Question::Length { .. } => Some(tr!("Its path could be shorter")),
+        Question::Moves { agent: Some(_) } => Some(tr!("It could make fewer moves")),
+        Question::Charges { agent: Some(_) } => Some(tr!("It could charge fewer times")),
+        Question::Waits { agent: Some(_) } => Some(tr!("It could wait less")),
+        Question::Wait { .. }
+        | Question::Yield { .. }
+        | Question::Charge { .. }
+        | Question::Visit { .. }
+        | Question::Move { .. }
+        | Question::Slow { .. }
+        | Question::Order { .. }
+        | Question::Moves { agent: None }
+        | Question::Charges { agent: None }
+        | Question::Waits { agent: None }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Penalty
+        | Question::Rule { .. }
+        | Question::Unsolvable
+        | Question::Plan => None,
+    }
 }
 
 /// The first cost of the objective that differs so, and by how much.

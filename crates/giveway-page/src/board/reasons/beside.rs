@@ -1,7 +1,7 @@
 //! Where the reasons of an answer are on the board of the other plan.
 
 use super::in_groups;
-use super::{Place, Reasons};
+use super::{Place, Reasons, marked};
 use crate::ask::numbers_groups;
 use crate::{Lit, State};
 
@@ -17,6 +17,7 @@ pub fn reasons_beside(state: &State) -> Reasons {
     let Some(told) = asking.told.as_deref() else {
         return reasons;
     };
+    reasons.agents = marked(state, asking);
     match asking.lit {
         Some(Lit::Cell(cell)) => reasons.places.push(Place { cell, is_lit: true }),
         Some(Lit::Robot(_) | Lit::Witness(_) | Lit::Fact(_) | Lit::Group(_)) | None => {}

@@ -52,7 +52,7 @@ pub(super) fn in_groups(
             reasons.agents = group.agents.iter().filter_map(index).collect();
         }
     }
-    if asking.lit.is_none() {
+    if asking.lit.is_none() && !asking.shows_other {
         let named = core.groups.iter().flat_map(|group| &group.agents);
         for robot in named.filter_map(index) {
             if !reasons.agents.contains(&robot) {

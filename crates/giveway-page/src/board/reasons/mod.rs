@@ -11,6 +11,7 @@ use giveway_solve::explain::{Core, FactKind};
 
 use super::{CELL, ConflictPlace};
 use crate::ask::{instead, numbers_facts, numbers_groups};
+use crate::beside::differing_now;
 use crate::steering::Steering;
 use crate::{Asking, Lit, State};
 
@@ -131,9 +132,7 @@ pub fn reasons(state: &State) -> Reasons {
     let Some(told) = asking.told.as_deref().filter(|_| is_this(asking, state)) else {
         return reasons;
     };
-    if let Some(Lit::Robot(agent)) = asking.lit {
-        reasons.agents = vec![agent];
-    }
+    reasons.agents = marked(state, asking);
     if let Some(Lit::Cell(cell)) = asking.lit {
         reasons.places.push(Place { cell, is_lit: true });
     }
@@ -208,6 +207,15 @@ fn would_be<'a>(reasons: &mut Reasons, violations: impl Iterator<Item = &'a Viol
                 time: violation.time,
             });
         }
+    }
+}
+
+/// The robot that is lit up; while nothing is, those that differ beside the other plan.
+fn marked(state: &State, asking: &Asking) -> Vec<usize> {
+    match asking.lit {
+        Some(Lit::Robot(agent)) => vec![agent],
+        Some(Lit::Witness(_) | Lit::Fact(_) | Lit::Group(_) | Lit::Cell(_)) => Vec::new(),
+        None => differing_now(state),
     }
 }
 

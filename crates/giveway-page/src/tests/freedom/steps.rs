@@ -6,7 +6,7 @@ use giveway_solve::freedom::FreedomPart;
 use giveway_solve::{Refusal, Request, Response};
 
 use super::{SHOW, act, known, on_the_way, solved, told, told_of};
-use crate::freedom::{Chip, FreedomAction, Section, chip, claim};
+use crate::freedom::{Chip, FreedomAction, Section, chip, claim, part};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answer, answered, saying, select};
 use crate::{
@@ -105,6 +105,12 @@ fn cancelled_at_once_it_can_be_gone_on_with() {
     let stopped = after(&solved(), [SHOW, CANCEL]);
     assert_eq!(chip(&stopped), Chip::On);
     assert!(told_of(&stopped).stopped.is_some());
+    // What was asked of a robot has an answer, too.
+    let robot = part(&after(&stopped, [select(0)])).unwrap();
+    assert_eq!(
+        robot.facts,
+        ["Whether it could be later was not found out."]
+    );
     let done = answered(&after(&stopped, [act(FreedomAction::GoOn)]));
     assert!(saying(&done).ends_with("15 such plans."));
 }

@@ -94,7 +94,11 @@ impl<'a, 'h> Tightness<'a, 'h> {
     ) -> Option<Self> {
         let cost = deciding_cost(case, answer)?;
         let other = answer.alternative.as_ref();
-        let here = other.filter(|_| answer.verdict == Verdict::Costly);
+        // What the agents need is about plans in which no cost that matters more grows.
+        let before = case.objective().costs().iter();
+        let mut before = before.take_while(|&&earlier| earlier != cost);
+        let keeps = before.all(|cost| answer.deltas.get(cost).is_none_or(|&more| more <= 0));
+        let here = other.filter(|_| answer.verdict == Verdict::Costly && keeps);
         Some(Self {
             case,
             needs: Needs::new(case, refuted, cost, budget)?,

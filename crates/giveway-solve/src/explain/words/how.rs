@@ -29,6 +29,11 @@ pub fn how_sentence(question: &Question, how: &[How], pays: &[AgentDifference]) 
                 |it: &&AgentDifference| it.other > it.arrival || it.more_waits > 0 || it.other_way;
             others_instead(others.find(pays)?)
         }
+        (How::OtherWay | How::Elsewhere | How::Free, Some(agent))
+            if let Some(sentence) = so(question, agent) =>
+        {
+            sentence
+        }
         (How::OtherWay, Some(agent)) if is_wait && how.contains(&How::Elsewhere) => {
             tr!("{agent} could go another way and wait there.", agent)
         }
@@ -38,6 +43,34 @@ pub fn how_sentence(question: &Question, how: &[How], pays: &[AgentDifference]) 
         (How::Free, Some(agent)) if is_wait => tr!("{agent} need not wait here at all.", agent),
         (How::OtherWay | How::Elsewhere | How::Free, _) => tr!("It was for nothing.").to_owned(),
     })
+}
+
+/// What an agent could do or be as a question asks, where that says more than that something could
+/// go.
+fn so(question: &Question, agent: &str) -> Option<String> {
+    match question {
+        Question::NoCharge { .. } | Question::NoVisit { .. } | Question::NoMove { .. } => {
+            Some(tr!("{agent} could do so.", agent))
+        }
+        Question::Arrival { .. } => Some(tr!("{agent} could arrive sooner.", agent)),
+        Question::Length { .. } => Some(tr!("The path of {agent} could be shorter.", agent)),
+        Question::Moves { .. } => Some(tr!("{agent} could make fewer moves.", agent)),
+        Question::Charges { .. } => Some(tr!("{agent} could charge fewer times.", agent)),
+        Question::Waits { .. } => Some(tr!("{agent} could wait less.", agent)),
+        Question::Wait { .. }
+        | Question::Yield { .. }
+        | Question::Charge { .. }
+        | Question::Visit { .. }
+        | Question::Move { .. }
+        | Question::Slow { .. }
+        | Question::Order { .. }
+        | Question::Makespan
+        | Question::SumOfCosts
+        | Question::Penalty
+        | Question::Rule { .. }
+        | Question::Unsolvable
+        | Question::Plan => None,
+    }
 }
 
 /// The same of an answer.

@@ -9,7 +9,7 @@ use giveway_solve::explain::{
 };
 
 use super::pays::{card_of, differs, respond};
-use super::{asked, told};
+use super::{asked, question, told};
 use crate::ask::card;
 use crate::beside::other_title;
 use crate::reduce::tests::after;
@@ -146,7 +146,7 @@ fn the_best_plan_is_among_what_it_could_do() {
             (None, "The best that was found", "+1 in the makespan", true),
             (
                 Some(0),
-                "Go another way and wait there",
+                "Go another way",
                 "at most +3 in the makespan",
                 false
             )
@@ -156,11 +156,8 @@ fn the_best_plan_is_among_what_it_could_do() {
     let which = |state: &State| card(state).unwrap().other.unwrap().which.unwrap();
     assert_eq!(which(&state), "the best that was found");
     let chosen = after(&state, [Action::Ask(AskAction::Choose(Some(0)))]);
-    assert_eq!(which(&chosen), "Go another way and wait there");
-    assert_eq!(
-        other_title(&chosen),
-        "The other plan: Go another way and wait there"
-    );
+    assert_eq!(which(&chosen), "Go another way");
+    assert_eq!(other_title(&chosen), "The other plan: Go another way");
     let chosen = card(&chosen).unwrap();
     assert!(!chosen.could[0].is_chosen && chosen.could[1].is_chosen);
     // The verdict is about the best one, and does not call it the other plan.
@@ -193,28 +190,37 @@ fn what_the_plan_shows_is_said_once() {
 
 #[test]
 fn what_it_could_do_says_how_the_robot_goes() {
-    let more = |waits: i64, answer: &mut ExplainAnswer| {
-        answer.pays.push(AgentDifference {
-            more_waits: waits,
-            other_way: true,
-            ..differs("A1", 17, 17)
-        });
+    let own = |more_waits: i64| AgentDifference {
+        more_waits,
+        other_way: true,
+        ..differs("A1", 17, 17)
     };
-    let mut answer = with_choice(&asked(), 1);
-    more(-2, &mut answer);
-    let near = answer.near.as_mut().unwrap();
-    near.variations[0].pays[0].more_waits = -1;
-    let shown = card(&respond(&asked(), answer)).unwrap();
-    assert_eq!(
-        shown.could[0].detail,
-        "A1 goes another way; A2 arrives at 11, 1 later"
-    );
-    assert_eq!(shown.could[1].text, "Go another way");
-    let mut answer = with_choice(&asked(), 1);
-    more(2, &mut answer);
-    let shown = card(&respond(&asked(), answer)).unwrap();
-    assert_eq!(
-        shown.could[0].detail,
-        "A1 goes another way and waits more; A2 arrives at 11, 1 later"
-    );
+    let shown = |question: &Question, more_waits: i64| {
+        let mut answer = with_choice(&asked(), 1);
+        answer.question = question.clone();
+        answer.pays.push(own(more_waits));
+        let near = answer.near.as_mut().unwrap();
+        near.variations[0].pays = vec![own(more_waits)];
+        let could = card(&respond(&asked(), answer)).unwrap().could;
+        (could[0].detail.clone(), could[1].text.clone())
+    };
+    let is = |detail: &str, text: &str| {
+        let late = "A2 arrives at 11, 1 later";
+        (format!("{detail}; {late}"), text.to_owned())
+    };
+    let less = is("A1 goes another way", "Go another way");
+    assert_eq!(shown(&question(), -2), less);
+    let more = "A1 goes another way and waits more";
+    assert_eq!(shown(&question(), 2), is(more, "Go another way"));
+    // Where it is asked why it waits, it matters that it waits all the same.
+    let wait = Question::Wait {
+        agent: "A1".to_owned(),
+        at: None,
+        from: None,
+        to: None,
+        at_least: None,
+    };
+    assert_eq!(shown(&wait, -2), less);
+    let there = "Go another way and wait there";
+    assert_eq!(shown(&wait, 2), is(more, there));
 }

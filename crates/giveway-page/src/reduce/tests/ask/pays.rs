@@ -1,6 +1,6 @@
 //! The verdict of an answer, and who pays for the other plan.
 
-use giveway_model::{Cost, Question};
+use giveway_model::{Cell, Cost, Question};
 use giveway_solve::Response;
 use giveway_solve::explain::{AgentDifference, ExplainAnswer, Here, How, Verdict};
 
@@ -114,6 +114,16 @@ fn a_needless_answer_says_how() {
         "A2 could wait instead"
     );
     assert_eq!(title(&[How::Free], &question()), "It was for nothing");
+    let sooner = Question::Arrival {
+        agent: "A1".to_owned(),
+    };
+    assert_eq!(title(&[How::OtherWay], &sooner), "It could arrive sooner");
+    let there = Question::NoVisit {
+        agent: Some("A1".to_owned()),
+        at: Cell::new(1, 1),
+    };
+    assert_eq!(title(&[How::Elsewhere], &there), "It could do so");
+    assert_eq!(title(&[How::Others], &there), "A2 could wait instead");
     // An answer of an older program tells no how.
     assert_eq!(
         title(&[], &wait),

@@ -196,6 +196,12 @@ fn a_robot_that_pays_lights_up_by_its_row() {
     let lit = after(&state, [light(Some(Lit::Robot(1)))]);
     assert_eq!(card(&lit).unwrap().pays.unwrap().lit, Some(1));
     assert_eq!(crate::board::lit(&lit), Some(vec![1]));
+    // Beside the other plan a press on the robot does the same, and leaves no question.
+    let press = Action::Board(BoardAction::Select(Selection::Agent(1)));
+    let beside = Action::Ask(AskAction::ShowOther(true));
+    let pressed = after(&state, [beside, press.clone()]);
+    assert_eq!(card(&pressed).unwrap().pays.unwrap().lit, Some(1));
+    assert_eq!(after(&state, [press]).document.mode.asking(), None);
     let dark = after(&lit, [light(None)]);
     assert_eq!(card(&dark).unwrap().pays.unwrap().lit, None);
     assert_eq!(crate::board::lit(&dark), None);
