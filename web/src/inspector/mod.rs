@@ -107,7 +107,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                 <div class="scroll" key="grow">{ grow::show(&card, send) }</div>
                 { grow::foot(&card, send) }
             } else if let Some(card) = giveway_page::area::card(state) {
-                <div class="scroll" key="area">{ area::show(&card) }{ grow::lines(state, send) }</div>
+                <div class="scroll" key="area">{ area::show(&card, state, send) }{ grow::lines(state, send) }</div>
             } else if let Some(card) = giveway_page::rules::card(state) {
                 <div class="scroll" key="rule">{ rule_card::show(&card, send) }</div>
                 { rule_card::foot(&card, send) }

@@ -23,7 +23,7 @@ use giveway_solve::Limits;
 use giveway_solve::change::{ChangeRequest, Method};
 
 use crate::course::World;
-use crate::{Answer, Draft, Settings};
+use crate::{Answer, Draft, Settings, State};
 
 pub use breakdown::{Blank, Breakdown, Filled, Piece};
 pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
@@ -32,7 +32,7 @@ pub use facts::{Facts, Listed, Past, facts, fate, history};
 pub(crate) use facts::{count, texts};
 pub(crate) use meets::inside;
 pub use offers::{Offers, offers};
-pub use stopped::{Stopped, stopped};
+pub use stopped::Stopped;
 pub(crate) use travelled::travelled;
 
 /// The world changes at a time, and this is how.
@@ -61,6 +61,16 @@ pub struct Choice {
     pub width: u32,
     /// Whether everyone plans freely.
     pub replan: bool,
+}
+
+/// The robots that have broken down for good up to the time shown, and stay where they are.
+pub fn stopped(state: &State) -> Vec<Stopped> {
+    let changed = |answer: &Rc<Answer>| answer.course.is_some();
+    if state.document.mode.changing().is_some() || state.shown().is_some_and(changed) {
+        stopped::of_changes(state)
+    } else {
+        Vec::new()
+    }
 }
 
 /// The widest tunnel that can be chosen, in steps.

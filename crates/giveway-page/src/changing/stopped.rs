@@ -77,8 +77,8 @@ pub(crate) fn obstacle_of(
     (ends && away <= 1).then_some((index + 1, *cell))
 }
 
-/// The robots that have broken down for good up to the time shown, and stay where they are.
-pub fn stopped(state: &State) -> Vec<Stopped> {
+/// The robots that have broken down for good in a world that changes.
+pub(super) fn of_changes(state: &State) -> Vec<Stopped> {
     let mut all = Vec::new();
     let mut add = |plan: Option<&Plan>, list: &[What], at: u32| {
         for (index, what) in list.iter().enumerate() {
