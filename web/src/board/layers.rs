@@ -6,7 +6,7 @@ use giveway_model::{Cell, sorting};
 use giveway_page::Draft;
 use giveway_page::beside::ahead;
 use giveway_page::board::{Cast, Detail, FloorLook, lit};
-use giveway_page::changing::{Stopped, stopped as stopped_robots};
+use giveway_page::changing::{Stopped, broken_down_for_good};
 use giveway_page::inside::{Method, Overlay};
 use yew::prelude::*;
 
@@ -168,7 +168,7 @@ pub(super) fn stopped(state: &Shown) -> Html {
             </g>
         }
     };
-    html! { <g aria-hidden="true">{ for stopped_robots(state).iter().map(one) }</g> }
+    html! { <g aria-hidden="true">{ for broken_down_for_good(state).iter().map(one) }</g> }
 }
 
 /// A frame around a cell, some units inside of it.

@@ -33,6 +33,7 @@ pub(crate) use facts::{count, texts};
 pub(crate) use meets::inside;
 pub use offers::{Offers, offers};
 pub use stopped::Stopped;
+pub(crate) use stopped::stopped_in_words;
 pub(crate) use travelled::travelled;
 
 /// The world changes at a time, and this is how.
@@ -64,7 +65,7 @@ pub struct Choice {
 }
 
 /// The robots that have broken down for good up to the time shown, and stay where they are.
-pub fn stopped(state: &State) -> Vec<Stopped> {
+pub fn broken_down_for_good(state: &State) -> Vec<Stopped> {
     let changed = |answer: &Rc<Answer>| answer.course.is_some();
     if state.document.mode.changing().is_some() || state.shown().is_some_and(changed) {
         stopped::of_changes(state)

@@ -2,7 +2,7 @@
 
 use giveway_model::change::What;
 use giveway_model::words::Sentence;
-use giveway_model::{Cell, Plan, tr_data};
+use giveway_model::{Cell, Plan, tr, tr_data};
 
 use super::Changing;
 use crate::{Answer, State};
@@ -75,6 +75,12 @@ pub(crate) fn obstacle_of(
     let ends = plan.until.contains_key(agent);
     let away = last.x.abs_diff(cell.x) + last.y.abs_diff(cell.y);
     (ends && away <= 1).then_some((index + 1, *cell))
+}
+
+/// How many robots have broken down for good, beside those that are there.
+#[inline(never)]
+pub(crate) fn stopped_in_words(n: usize) -> String {
+    tr!("{n} broken down for good", n)
 }
 
 /// The robots that have broken down for good in a world that changes.

@@ -8,7 +8,7 @@ use giveway_model::words::grouped;
 use giveway_model::{Cell, tr};
 
 use crate::State;
-use crate::changing::stopped;
+use crate::changing::broken_down_for_good;
 
 /// What is typed to find a robot, and which of the robots that fit is selected.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -98,7 +98,7 @@ fn fitting(state: &State, typed: &str) -> Vec<usize> {
 /// Where a robot stays that has broken down for good.
 pub(crate) fn broken_down(state: &State, agent: Option<usize>) -> Option<Cell> {
     let agent = agent.filter(|&agent| !state.is_there(agent))?;
-    let mut all = stopped(state).into_iter();
+    let mut all = broken_down_for_good(state).into_iter();
     let own = all.find(|stopped| stopped.agent == Some(agent))?;
     Some(own.cell)
 }

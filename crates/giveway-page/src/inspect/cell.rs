@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Ground, tr};
 
-use crate::changing::stopped;
+use crate::changing::broken_down_for_good;
 use crate::timeline::Lane;
 use crate::{State, table};
 use giveway_model::sorting::sort_by_key;
@@ -63,7 +63,7 @@ pub fn cell(state: &State, cell: Cell) -> Option<CellFacts> {
             }
         }
     }
-    for stopped in stopped(state) {
+    for stopped in broken_down_for_good(state) {
         if let Some(agent) = stopped.agent.filter(|_| stopped.cell == cell) {
             let name = &stopped.name;
             roles.push((agent, tr!("{name}, broken down for good", name)));

@@ -46,7 +46,7 @@ pub fn whole(state: &State) -> Whole {
         contents: contents(
             state.world(),
             |agent| state.is_there(agent),
-            changing::stopped(state).len(),
+            changing::broken_down_for_good(state).len(),
         ),
         claims: Vec::new(),
         costs: Vec::new(),

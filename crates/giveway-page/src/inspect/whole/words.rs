@@ -3,7 +3,7 @@
 use giveway_model::{Ground, tr, words::length};
 use giveway_solve::Status;
 
-use crate::{Answer, Draft};
+use crate::{Answer, Draft, changing};
 
 /// What is claimed, and how far it reaches; `None` where no search said anything of the plan,
 /// and there is a reason for that.
@@ -41,9 +41,7 @@ pub(super) fn contents(draft: &Draft, is_there: impl Fn(usize) -> bool, stopped:
     };
     let agents = (0..draft.agents().len()).filter(|&agent| is_there(agent));
     let mut parts = vec![tr!("{n} robot" | "{n} robots" % agents.count())];
-    if stopped > 0 {
-        parts.push(tr!("{n} broken down for good", n = stopped));
-    }
+    parts.extend((stopped > 0).then(|| changing::stopped_in_words(stopped)));
     let chargers = grounds(Ground::is_charger);
     if chargers > 0 {
         parts.push(tr!("{n} charger" | "{n} chargers" % chargers));

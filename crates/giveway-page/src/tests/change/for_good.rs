@@ -4,7 +4,7 @@ use giveway_model::change::What;
 use giveway_model::{Battery, Cell};
 
 use super::{changing, joined, list, running};
-use crate::changing::{facts, offers, stopped};
+use crate::changing::{broken_down_for_good, facts, offers};
 use crate::find::{self, FindAction};
 use crate::inspect::{self, whole};
 use crate::reduce::tests::{after, stroke};
@@ -43,12 +43,12 @@ fn for_good_it_stays_as_an_obstacle_with_its_name() {
     assert_eq!(saying(&state), said, "the obstacle is no change of its own");
     assert!(!state.world().grid().is_vertex(cell));
     assert!(!state.is_there(0));
-    let named = stopped(&state);
+    let named = broken_down_for_good(&state);
     assert_eq!(
         (named.len(), named[0].name.as_str(), named[0].cell),
         (1, "A1", cell)
     );
-    assert!(stopped(&after(&state, [seek(0)])).is_empty());
+    assert!(broken_down_for_good(&after(&state, [seek(0)])).is_empty());
     // Both changes are taken back as one.
     let index = facts(&state).unwrap().list[0].index;
     let back = after(&state, [Action::Change(ChangeAction::TakeBack(index))]);
@@ -57,8 +57,8 @@ fn for_good_it_stays_as_an_obstacle_with_its_name() {
     let found = answered(&after(&state, [Action::Change(ChangeAction::Adapt)]));
     let adopted = after(&found, [Action::Change(ChangeAction::Adopt(2)), seek(2)]);
     assert_eq!(adopted.phase(), Phase::Planned);
-    assert_eq!(stopped(&adopted), named);
-    assert!(stopped(&after(&adopted, [seek(0)])).is_empty());
+    assert_eq!(broken_down_for_good(&adopted), named);
+    assert!(broken_down_for_good(&after(&adopted, [seek(0)])).is_empty());
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn for_good_it_is_still_counted_and_found() {
         Action::Edit(Edit::Stop(0)),
     ];
     let state = after(&running(), broken);
-    let cell = stopped(&state)[0].cell;
+    let cell = broken_down_for_good(&state)[0].cell;
     let told = whole(&state).contents;
     assert!(told.contains(", 1 broken down for good,"), "{told}");
     let looking = [FindAction::Open, FindAction::Type("A1".to_owned())];
