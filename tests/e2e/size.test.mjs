@@ -20,8 +20,8 @@ const LATER = /^app-.*_later\.wasm$/;
  */
 const STAGES = [
   ["until something moves", /^$|^(end-)?style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 30_200],
-  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 617_000],
-  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 774_500],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 617_500],
+  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 775_000],
   ["until all of the page is there", /^app-.*_later\.wasm$|^later-style-/, 1_397_500],
 ];
 
