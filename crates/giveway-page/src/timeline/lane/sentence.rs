@@ -27,7 +27,7 @@ impl Lane {
         match self.count(Way::Broken) {
             0 => {}
             broken if broken == self.waits() => {
-                parts.push(tr!("all of them broken down").to_owned())
+                parts.push(tr!("all of them broken down").to_owned());
             }
             broken => parts.push(tr!("{broken} of them broken down", broken)),
         }
