@@ -189,10 +189,9 @@ fn text(question: &Question, it: &Variation, places: usize) -> String {
         (VariationKind::Elsewhere, Some(cell), _) => tr!("Wait at {cell}", cell = words::at(cell)),
         (VariationKind::Elsewhere, None, _) => tr!("Wait elsewhere").to_owned(),
         (VariationKind::OtherWay, ..) => {
-            let is_wait = matches!(question, Question::Wait { .. } | Question::Yield { .. });
             let mut pays = it.pays.iter();
             let own = pays.find(|it| Some(it.agent.as_str()) == question.agent());
-            if is_wait && own.is_some_and(|own| own.more_waits >= 0) {
+            if is_of_wait(question) && own.is_some_and(|own| own.more_waits >= 0) {
                 tr!("Go another way and wait there").to_owned()
             } else {
                 tr!("Go another way").to_owned()
@@ -213,6 +212,11 @@ fn text(question: &Question, it: &Variation, places: usize) -> String {
                 | "{n} robots move differently" % it.pays.len() as u32)
         }
     }
+}
+
+/// Whether it is asked why a robot waits.
+const fn is_of_wait(question: &Question) -> bool {
+    matches!(question, Question::Wait { .. } | Question::Yield { .. })
 }
 
 /// Who arrives later by most; where the first wait would be.
@@ -240,6 +244,8 @@ fn own_detail(asking: &Asking, pays: &[AgentDifference]) -> String {
         (true, _) => tr!("{name} goes another way", name),
         (false, waits) if waits > 0 => tr!("{name} waits more", name),
         (false, waits) if waits < 0 => tr!("{name} waits less", name),
+        // It may charge elsewhere instead: nothing is said of how it drives.
+        (false, _) if !is_of_wait(asking.question()) => return late,
         (false, _) => tr!("{name} waits elsewhere", name),
     };
     tr!("{does}; {late}", does, late)

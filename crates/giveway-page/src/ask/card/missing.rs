@@ -39,7 +39,7 @@ pub(super) fn missing(
     if can_help && matches!(told.verdict, Verdict::Costly | Verdict::Necessary) {
         let title = tr!("What would help");
         let sentence = if has_helping_group(told) {
-            tr!("What is marked as helping above. Nothing else was found.")
+            tr!("See what is marked as helping above.")
         } else if told.exhaustive {
             tr!("No change of one or two things in the scene helps.")
         } else if told.pending.contains(&Part::Repairs) {
