@@ -8,6 +8,7 @@ import { join } from "node:path";
 
 import { launch, open } from "../tests/e2e/browser.mjs";
 import { root } from "../tests/e2e/dist.mjs";
+import { leaveAndComeBack } from "../tests/e2e/leaving.mjs";
 import { serve } from "../tests/e2e/server.mjs";
 import { slowDown, slowSolver } from "../tests/measure/network.mjs";
 import { assemble } from "./page/assemble.mjs";
@@ -90,6 +91,7 @@ async function visit(options, { atOnce = false, rate = 1, slower = 1 } = {}) {
   }
   await page.locator("[role=grid]").first().hover();
   await page.waitForTimeout(500);
+  await leaveAndComeBack(page);
   await note("app", page);
   await context.close();
 }

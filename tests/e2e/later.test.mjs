@@ -7,6 +7,7 @@ import { slowSolver } from "../measure/network.mjs";
 import { solveAtOnce } from "../measure/watch.mjs";
 import { BOTH, flows } from "./flow.mjs";
 import { open } from "./browser.mjs";
+import { leaveAndComeBack } from "./leaving.mjs";
 import { Playground } from "./page.mjs";
 import { eventually } from "./wait.mjs";
 
@@ -16,7 +17,7 @@ const SOLVER = /\/solver-[0-9a-f]+_bg\.wasm$/;
 describe("the later part of the page's program", () => {
   const flow = flows();
 
-  flow("is needed neither to open the page nor to solve", async (_, { context: around, host }) => {
+  flow("is needed neither to open the page, nor to solve, nor to leave", async (_, { context: around, host }) => {
     const browser = around.browser();
     const { context, page, complaints } = await open(browser, { serviceWorkers: "block" });
     await page.route(LATER, (route) => route.abort());
@@ -26,6 +27,7 @@ describe("the later part of the page's program", () => {
     await playground.button("Solve").waitFor();
     await playground.says(/^Optimal: /);
     await playground.board.hover();
+    await leaveAndComeBack(page);
     // It was asked for ahead of time, and could not be had.
     const others = complaints.filter((complaint) => !/_later\.wasm|Service Worker/.test(complaint));
     assert.deepEqual(others, []);
