@@ -8,7 +8,7 @@ mod visits;
 
 use giveway_model::{Cell, Cost, Instance, Plan};
 use giveway_solve::freedom::{FreedomAnswer, FreedomRequest, PlanCount};
-use giveway_solve::{Limits, Request, Response, SilentHost, Status, serve};
+use giveway_solve::{Limits, Proofs, Request, Response, SilentHost, SolveRequest, Status, serve};
 
 use crate::oracle::{Every, Question, Verdict, Where};
 use crate::recount;
@@ -33,22 +33,62 @@ pub enum Compared {
     TooLarge,
 }
 
+/// Which plan the service is asked about.
+#[derive(Clone, Copy)]
+pub enum Asked<'a> {
+    /// One that it finds.
+    Own,
+    /// A plan that is handed in.
+    Given(&'a Plan),
+    /// One that it found before; the proof is handed on.
+    Proved,
+}
+
 /// The service's answer.
-pub fn ask(instance: &Instance, plan: Option<Plan>, within: Option<u32>) -> FreedomAnswer {
-    let request = Request::Freedom(FreedomRequest {
+pub fn ask(instance: &Instance, asked: Asked, within: Option<u32>) -> FreedomAnswer {
+    let limits = Limits {
+        conflicts: Some(300_000),
+        ..Limits::default()
+    };
+    let mut proofs = Proofs::new();
+    let plan = match asked {
+        Asked::Own => None,
+        Asked::Given(plan) => Some(plan.clone()),
+        Asked::Proved => solved(instance, within, limits, &mut proofs),
+    };
+    let request = proofs.completed(Request::Freedom(FreedomRequest {
         scene: instance.to_scene(),
         plan,
         within,
         count: Some(COUNT),
-        limits: Limits {
-            conflicts: Some(300_000),
-            ..Limits::default()
-        },
+        limits,
         ..FreedomRequest::default()
-    });
+    }));
     match serve(&request, &SilentHost) {
         Response::Freedom(answer) => *answer,
         other => panic!("expected an answer, got {other:?}"),
+    }
+}
+
+/// The plan that the service finds; its proof is kept.
+fn solved(
+    instance: &Instance,
+    within: Option<u32>,
+    limits: Limits,
+    proofs: &mut Proofs,
+) -> Option<Plan> {
+    let request = Request::Solve(SolveRequest {
+        scene: instance.to_scene(),
+        within,
+        trace: true,
+        limits,
+        ..SolveRequest::default()
+    });
+    let response = serve(&request, &SilentHost);
+    proofs.keep(request, &response);
+    match response {
+        Response::Solved(answer) => answer.plan,
+        other => panic!("expected a plan, got {other:?}"),
     }
 }
 
@@ -67,7 +107,7 @@ pub fn compare(instance: &Instance, within: Option<u32>) -> Compared {
         Verdict::Best(point) => Some(point),
     };
     let Some(best) = best else {
-        let answer = ask(instance, None, within);
+        let answer = ask(instance, Asked::Own, within);
         return match answer.status {
             Status::Impossible if answer.is_settled() => Compared::Agreed(Box::new(answer)),
             status => Compared::Differ(vec![format!("{status:?}, and there is no plan")]),
@@ -76,9 +116,12 @@ pub fn compare(instance: &Instance, within: Option<u32>) -> Compared {
     let Some((every, latest)) = all_best(instance, within, &best.vector) else {
         return Compared::TooLarge;
     };
-    // Of every second instance the plan is the oracle's.
-    let given = (best.vector.iter().sum::<u32>() % 2 == 0).then(|| best.plan.clone());
-    let answer = ask(instance, given, within);
+    let asked = match best.vector.iter().sum::<u32>() % 3 {
+        0 => Asked::Given(&best.plan),
+        1 => Asked::Proved,
+        _ => Asked::Own,
+    };
+    let answer = ask(instance, asked, within);
     let mut faults = Vec::new();
     let mut expect = |holds: bool, what: String| {
         if !holds {

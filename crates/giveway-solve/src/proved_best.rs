@@ -2,7 +2,10 @@
 
 use borsh::{BorshDeserialize, BorshSerialize};
 
-use crate::{Reach, SolveAnswer, search::LatestArrivals};
+use crate::{
+    Reach, SolveAnswer,
+    search::{LatestArrivals, Proved},
+};
 
 /// That no plan is better than the one asked about, as an earlier answer proved.
 #[derive(Clone, Debug, PartialEq, Eq, BorshSerialize, BorshDeserialize)]
@@ -21,6 +24,11 @@ impl ProvedBest {
             reach: answer.reach,
             latest: trace.and_then(|trace| trace.latest.clone()),
         }
+    }
+
+    /// What a later request may rely on: the proof, and the latest arrivals that it leaves.
+    pub(crate) fn handed_on(&self) -> (Option<Proved>, Option<LatestArrivals>) {
+        (self.reach.handed_on(), self.latest.clone())
     }
 
     /// The latest arrival, in time steps, that the proof leaves an agent in any plan that is as

@@ -14,7 +14,7 @@ use serde_json::Value;
 
 use super::latest::{Latest, left};
 use super::plans::ways;
-use super::{COUNT, Compared, ask};
+use super::{Asked, COUNT, Compared, ask};
 use crate::rules_oracle::{Answer, RuleScene, all_best, best};
 use courses::{arrival, plan_of};
 use critical::critical;
@@ -38,7 +38,7 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
     let vector = match best(&scene, within.map(i64::from), MOST_STATES) {
         Answer::Capped => return Compared::TooLarge,
         Answer::Impossible => {
-            let answer = ask(&instance, None, within);
+            let answer = ask(&instance, Asked::Own, within);
             return match answer.status {
                 Status::Impossible if answer.is_settled() => Compared::Agreed(Box::new(answer)),
                 status => Compared::Differ(vec![format!("{status:?}, and there is no plan")]),
@@ -57,9 +57,13 @@ pub fn compare_ruled(json: &Value, within: Option<u32>) -> Compared {
     };
     let courses = all.courses(COUNT as usize);
     let given = courses.as_ref().and_then(|courses| courses.last());
-    let given = given.filter(|_| vector.iter().sum::<i64>() % 2 == 0);
     let given = given.map(|course| plan_of(&instance, course));
-    let answer = ask(&instance, given, within);
+    let asked = match (vector.iter().sum::<i64>() % 3, &given) {
+        (0, Some(plan)) => Asked::Given(plan),
+        (1, _) => Asked::Proved,
+        _ => Asked::Own,
+    };
+    let answer = ask(&instance, asked, within);
     if answer.reason == Some(Reason::Stopped(Stop::Conflicts)) {
         return Compared::TooLarge;
     }

@@ -95,6 +95,7 @@ impl Freedom {
             plan: Some(answer.plan()?.clone()),
             objective: answer.request.objective.clone(),
             within: answer.request.within,
+            proved: answer.proved_best(),
             parts: Vec::new(),
             count: None,
             limits,

@@ -182,7 +182,7 @@ fn answered(
     let mut case = FittingQuestion::new(instance, question, &plan, costs, within, whole);
     (case.optimal, case.latest) = match (solved, proved) {
         (Some(solved), _) => (solved.reach, solved.latest),
-        (None, Some(proved)) => (proved.reach.handed_on(), proved.latest.clone()),
+        (None, Some(proved)) => proved.handed_on(),
         (None, None) => (None, None),
     };
     if let Some(plan) = known {

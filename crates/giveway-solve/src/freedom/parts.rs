@@ -18,7 +18,7 @@ use crate::{
     Progress,
     budget::Stop,
     problem::{Problem, ProblemError},
-    search::Proved,
+    search::{LatestArrivals, Proved},
     solve::SolveTask,
 };
 
@@ -30,6 +30,8 @@ pub(super) struct BestPlan<'a, 'h> {
     pub(super) costs: Costs,
     /// How far it is proved to be a best one.
     pub(super) optimum: Proved,
+    /// The latest arrivals that the proof leaves, where it leaves such.
+    pub(super) latest: Option<LatestArrivals>,
     /// The number of plans up to which is counted.
     pub(super) count: u32,
 }
@@ -50,7 +52,8 @@ pub(super) fn serve(subject: &BestPlan, answer: &mut FreedomAnswer) -> Result<()
         .within
         .unwrap_or_else(|| problem.default_horizon(task.instance.grid()));
     let horizon = horizon.max(subject.costs.makespan);
-    let caps = caps(&problem, best, horizon, subject.optimum);
+    let proof = (subject.optimum, subject.latest.as_ref());
+    let caps = caps(&problem, best, horizon, proof);
     answer.reach = caps.reach.into();
     let formula = BestPlans::new(&problem, &caps, best, &task.budget)?;
     let own = ways_of(&problem, &task.instance, subject.plan).ok_or(Stop::Contradiction)?;

@@ -4,7 +4,7 @@ use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::{Objective, Plan, Scene, format::from_object};
 use serde::{Deserialize, Serialize};
 
-use crate::Limits;
+use crate::{Limits, ProvedBest};
 
 /// A part of the answer; parts are served in this order.
 #[derive(
@@ -67,6 +67,11 @@ pub struct FreedomRequest {
     /// By default the largest single-agent optimum + 4 (width + height) + 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<u32>,
+    /// What the front that asks had proved: that no plan is better than `plan`, by an answer
+    /// to the same scene, objective and horizon. It is not proved again. Only programs of the
+    /// same build hand it on; no file has it.
+    #[serde(skip)]
+    pub proved: Option<ProvedBest>,
     /// The parts that are asked for, in any order; all where none is named.
     #[serde(default)]
     pub parts: Vec<FreedomPart>,

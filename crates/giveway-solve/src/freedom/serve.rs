@@ -7,7 +7,8 @@ use super::{
     parts::{self, BestPlan},
 };
 use crate::{
-    Host, Refusal, Status,
+    Host, ProvedBest, Reach, Reason, Refusal, Status,
+    search::{LatestArrivals, Proved},
     solve::{self, SolveTask, Solved},
 };
 
@@ -22,19 +23,27 @@ pub(crate) fn serve(request: &FreedomRequest, host: &dyn Host) -> Result<Freedom
     let objective = request.objective.clone();
     let mut task = SolveTask::new(instance, objective, request.within, request.limits, host);
     task.start.clone_from(&given);
-    let solved = solve::solve(&task);
-    let mut answer = begun(&task, given, &solved);
-    let best = answer.costs.zip(answer.plan.clone());
+    let handed_on = request.proved.as_ref().and_then(|proved| {
+        let best = Best::handed_on(&task, given.as_ref()?, proved)?;
+        Some((best, About::Given))
+    });
+    let (best, about) = match handed_on {
+        Some(known) => known,
+        None => Best::searched(&task, given),
+    };
+    let mut answer = begun(&task, &best, about);
+    let known = best.costs.zip(best.plan.as_ref());
     if let (Status::Optimal, Some((costs, plan)), Some(optimum)) =
-        (answer.status, best, solved.reach)
+        (best.status, known, best.optimum)
     {
         answer.pending = request.asked();
         let subject = BestPlan {
             task: &task,
             scene,
-            plan: &plan,
+            plan,
             costs,
             optimum,
+            latest: best.latest,
             count: request.count_limit(),
         };
         if let Err(stop) = parts::serve(&subject, &mut answer) {
@@ -58,29 +67,78 @@ fn given(instance: &Instance, request: &FreedomRequest) -> Result<Option<Plan>, 
     Ok(Some(plan))
 }
 
-/// The answer when the search for the best plan has ended.
-fn begun(task: &SolveTask, given: Option<Plan>, solved: &Solved) -> FreedomAnswer {
-    let best = &solved.answer;
-    let vector = |costs: &Costs| costs.vector(&task.objective);
-    let as_good = |plan: &Plan| {
-        let own = check(&task.instance, plan).costs?;
-        let soon = task.within.is_none_or(|within| own.makespan <= within);
-        (soon && Some(vector(&own)) == best.costs.as_ref().map(vector)).then_some(own)
-    };
-    let (about, costs, plan) = match given {
-        None => (About::Found, best.costs, best.plan.clone()),
-        Some(plan) => match as_good(&plan) {
-            Some(own) => (About::Given, Some(own), Some(plan)),
-            None => (About::Better, best.costs, best.plan.clone()),
-        },
-    };
+/// What is known of the best plan.
+struct Best {
+    status: Status,
+    costs: Option<Costs>,
+    plan: Option<Plan>,
+    /// How far it is proved that none is better.
+    optimum: Option<Proved>,
+    /// The latest arrivals that the proof leaves, where it leaves such.
+    latest: Option<LatestArrivals>,
+    reach: Reach,
+    reason: Option<Reason>,
+}
+
+impl Best {
+    /// The plan that was handed in, with the proof that came with it.
+    fn handed_on(task: &SolveTask, given: &Plan, proved: &ProvedBest) -> Option<Self> {
+        let (optimum, latest) = proved.handed_on();
+        optimum.is_some().then(|| Self {
+            status: Status::Optimal,
+            costs: check(&task.instance, given).costs,
+            plan: Some(given.clone()),
+            optimum,
+            latest,
+            reach: proved.reach,
+            reason: None,
+        })
+    }
+
+    /// What a search finds out, and which plan that is of: the one that was handed in stays where
+    /// none is better.
+    fn searched(task: &SolveTask, given: Option<Plan>) -> (Self, About) {
+        let Solved {
+            answer,
+            reach: optimum,
+            latest,
+            ..
+        } = solve::solve(task);
+        let mut best = Self {
+            status: answer.status,
+            costs: answer.costs,
+            plan: answer.plan,
+            optimum,
+            latest,
+            reach: answer.reach,
+            reason: answer.reason,
+        };
+        let Some(given) = given else {
+            return (best, About::Found);
+        };
+        let vector = |costs: &Costs| costs.vector(&task.objective);
+        let own = check(&task.instance, &given).costs.filter(|own| {
+            let soon = task.within.is_none_or(|within| own.makespan <= within);
+            soon && Some(vector(own)) == best.costs.as_ref().map(vector)
+        });
+        if own.is_none() {
+            return (best, About::Better);
+        }
+        best.costs = own;
+        best.plan = Some(given);
+        (best, About::Given)
+    }
+}
+
+/// The answer when it is known what the best plan is.
+fn begun(task: &SolveTask, best: &Best, about: About) -> FreedomAnswer {
     FreedomAnswer {
         giveway: Version,
         status: best.status,
         objective: task.objective.clone(),
         about,
-        costs,
-        plan,
+        costs: best.costs,
+        plan: best.plan.clone(),
         backbone: None,
         plans: None,
         farthest: None,

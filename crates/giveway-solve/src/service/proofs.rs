@@ -44,20 +44,47 @@ impl Proofs {
     /// The request with what was proved of the plan that it is about, where its scene, objective
     /// and horizon are those of the proof and nothing changed on the way.
     pub fn completed(&self, mut request: Request) -> Request {
-        if let Request::Explain(explain) = &mut request
-            && explain.proved.is_none()
-            && explain.changes.is_none()
-            && let Some(plan) = &explain.plan
-        {
-            let kept = self.0.iter().find(|kept| {
-                kept.plan == *plan
-                    && kept.within == explain.within
-                    && kept.objective == explain.objective
-                    && kept.scene == explain.scene
-            });
-            explain.proved = kept.map(|kept| kept.proved.clone());
+        match &mut request {
+            Request::Explain(asked) if asked.proved.is_none() && asked.changes.is_none() => {
+                let key = (&asked.scene, &asked.objective, asked.within);
+                asked.proved = self.of(asked.plan.as_ref(), key);
+            }
+            Request::Freedom(asked) if asked.proved.is_none() => {
+                let key = (&asked.scene, &asked.objective, asked.within);
+                asked.proved = self.of(asked.plan.as_ref(), key);
+            }
+            Request::Explain(_)
+            | Request::Freedom(_)
+            | Request::Solve(_)
+            | Request::Check(_)
+            | Request::Certify(_)
+            | Request::Export(_)
+            | Request::Change(_)
+            | Request::Audit(_)
+            | Request::Plan(_)
+            | Request::Together(_)
+            | Request::Price(_)
+            | Request::Delays(_)
+            | Request::Order(_)
+            | Request::Sizing(_) => {}
         }
         request
+    }
+
+    /// What was proved of a plan in a scene, for an objective, within a horizon.
+    fn of(
+        &self,
+        plan: Option<&Plan>,
+        (scene, objective, within): (&Scene, &Option<Objective>, Option<u32>),
+    ) -> Option<ProvedBest> {
+        let plan = plan?;
+        let kept = self.0.iter().find(|kept| {
+            kept.plan == *plan
+                && kept.within == within
+                && kept.objective == *objective
+                && kept.scene == *scene
+        })?;
+        Some(kept.proved.clone())
     }
 
     /// Keeps what a response proves of its own plan; the oldest proof goes where there are too many.
@@ -89,7 +116,7 @@ mod tests {
     use giveway_model::{Agent, Cell, Cost, Question, change::Changes};
 
     use super::*;
-    use crate::{SilentHost, explain::ExplainRequest, serve};
+    use crate::{SilentHost, explain::ExplainRequest, freedom::FreedomRequest, serve};
 
     /// A robot that has to go round a shelf.
     fn solve() -> SolveRequest {
@@ -167,6 +194,33 @@ mod tests {
         let mut other = asked();
         other.plan = None;
         assert_eq!(proved(other), None, "a plan that is yet to be found");
+    }
+
+    #[test]
+    fn what_all_best_plans_share_is_asked_without_a_second_proof() {
+        let mut proofs = Proofs::new();
+        let solve = solve();
+        let response = serve(&Request::Solve(solve.clone()), &SilentHost);
+        let Response::Solved(answer) = &response else {
+            panic!("{response:?}");
+        };
+        proofs.keep(Request::Solve(solve.clone()), &response);
+        let ask = |proofs: &Proofs| {
+            let request = proofs.completed(Request::Freedom(FreedomRequest {
+                scene: solve.scene.clone(),
+                plan: answer.plan.clone(),
+                ..FreedomRequest::default()
+            }));
+            match serve(&request, &SilentHost) {
+                Response::Freedom(answer) => answer,
+                other => panic!("{other:?}"),
+            }
+        };
+        let (handed_on, again) = (ask(&proofs), ask(&Proofs::new()));
+        assert_eq!(handed_on.reach, again.reach);
+        assert_eq!(handed_on.plans, again.plans);
+        assert_eq!(handed_on.backbone, again.backbone);
+        assert!(handed_on.stats.work < again.stats.work);
     }
 
     #[test]

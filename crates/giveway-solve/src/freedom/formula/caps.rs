@@ -4,7 +4,7 @@ use giveway_model::{Cost, Costs, Objective};
 
 use crate::{
     problem::Problem,
-    search::{Proved, reach_of_best_plans},
+    search::{LatestArrivals, Proved, reach_of_best_plans},
 };
 
 /// The latest arrivals, and how far what is shown of all best plans reaches.
@@ -13,12 +13,12 @@ pub(in crate::freedom) struct Caps {
     pub(in crate::freedom) reach: Proved,
 }
 
-/// The caps that the best costs give, and else the horizon.
+/// The caps that the best costs give and that their proof leaves, and else the horizon.
 pub(in crate::freedom) fn caps(
     problem: &Problem,
     (objective, best): (&Objective, &Costs),
     horizon: u32,
-    optimum: Proved,
+    (optimum, left): (Proved, Option<&LatestArrivals>),
 ) -> Caps {
     let horizon = optimum
         .within()
@@ -34,7 +34,9 @@ pub(in crate::freedom) fn caps(
     let each = problem.optima.iter().enumerate();
     let latest = each.map(|(agent, &optimum)| {
         let by_costs = by_costs(optimum).unwrap_or(u32::MAX);
-        by_costs.min(horizon).min(problem.not_after(agent))
+        let by_proof = left.map_or(u32::MAX, |left| left.of(agent));
+        let latest = by_costs.min(by_proof).min(horizon);
+        latest.min(problem.not_after(agent))
     });
     Caps {
         latest: latest.collect(),
