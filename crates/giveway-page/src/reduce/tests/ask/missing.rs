@@ -1,10 +1,11 @@
 //! Parts of an answer that were not found: it is said, and not left out.
 
-use giveway_solve::explain::{Part, Verdict};
+use giveway_solve::explain::{Core, FactGroup, FactGroupKind, Helps, Part, Verdict};
 
 use super::pays::card_of;
 use super::{asked, hear, told};
 use crate::ask::card;
+use crate::sample::reach;
 
 /// The titles with their sentences.
 fn missing(card: &crate::ask::Card) -> Vec<(&'static str, &str)> {
@@ -50,6 +51,41 @@ fn it_is_told_whether_all_was_tried() {
         told_of(false, vec![Part::Repairs]),
         "The search ended before this was looked for."
     );
+}
+
+#[test]
+fn what_is_marked_as_helping_is_pointed_to() {
+    let told_of = |helps| {
+        let card = card_of(|answer| {
+            answer.verdict = Verdict::Costly;
+            answer.repairs = Vec::new();
+            answer.exhaustive = false;
+            let group = FactGroup {
+                kind: FactGroupKind::Agent,
+                agents: vec!["A2".to_owned()],
+                cells: Vec::new(),
+                facts: Vec::new(),
+                text: "A2".to_owned(),
+                needed: true,
+                helps,
+                price: None,
+            };
+            answer.core = Some(Core {
+                facts: Vec::new(),
+                groups: vec![group],
+                prices: Vec::new(),
+                minimal: true,
+                reach: reach(None),
+                further: Vec::new(),
+            });
+        });
+        let of_help = missing(&card);
+        let mut of_help = of_help.iter().filter(|it| it.0 == "What would help");
+        of_help.next().unwrap().1.to_owned()
+    };
+    assert_eq!(told_of(Helps::Yes), "See what is marked as helping above.");
+    assert_eq!(told_of(Helps::No), "Nothing was found that helps.");
+    assert_eq!(told_of(Helps::Unknown), "Nothing was found that helps.");
 }
 
 #[test]

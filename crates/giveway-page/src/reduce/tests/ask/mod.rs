@@ -4,6 +4,7 @@ mod kept;
 mod missing;
 mod names;
 mod nearby;
+mod other;
 mod pays;
 mod taken;
 mod tight;

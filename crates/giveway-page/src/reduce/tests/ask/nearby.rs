@@ -16,7 +16,7 @@ use crate::sample::reach;
 use crate::{Action, AskAction, SolveAction, State};
 
 /// A wait elsewhere that makes A2 so much later.
-fn slide(state: &State, cell: Cell, more: u32) -> Variation {
+pub(super) fn slide(state: &State, cell: Cell, more: u32) -> Variation {
     let about = &state.document.mode.asking().unwrap().about;
     let before = about.solved.costs.unwrap();
     let plan = about.plan().unwrap();
