@@ -188,6 +188,7 @@ fn ask_all(what: &str, scene: &Scene, plan: &Plan) {
             plan: None,
             objective: None,
             within,
+            proved: None,
             parts: Vec::new(),
             count: None,
             limits: limits(),

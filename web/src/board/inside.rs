@@ -1,6 +1,6 @@
 //! What is drawn over the map of a step of how the plan was found.
 
-use giveway_page::board::CELL;
+use giveway_page::board::{CELL, Star};
 use giveway_page::inside::{Ban, Meeting, Overlay, Shade};
 use yew::prelude::*;
 
@@ -50,10 +50,13 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
         right: f64::from(*columns) * CELL,
     };
     let ring = RING.max(RING_PX * CELL / cell_px);
+    let stars = overlay.bursts.iter().map(|place| place.star(*cell_px));
+    let stars: Vec<Star> = stars.collect();
     html! {
         <g aria-hidden="true">
-            { for overlay.bans.iter().map(|each| ban(each, label)) }
+            { for overlay.bans.iter().map(ban) }
             { for overlay.bursts.iter().map(|&place| burst(place, *cell_px)) }
+            { for overlay.bans.iter().map(|each| ban_label(each, label, &stars)) }
             { for overlay.meetings.iter().map(|each| meeting(each, label, ring)) }
             if let Some((cell, text)) = &overlay.stuck {
                 { square("vcell", *cell, 4) }
@@ -63,6 +66,8 @@ pub(super) fn InsideMarks(props: &MarksProps) -> Html {
     }
 }
 
+/// Half the height of the label of a ban, in units.
+const HALF_BAN: f64 = 14.0;
 /// The radius of the ring around a meeting, in units.
 const RING: f64 = 56.0;
 /// It is at least so large, in pixels.
@@ -84,6 +89,25 @@ impl Label {
         let half = width * self.scale / 2.0 + 3.0;
         x.min(self.right - half).max(half)
     }
+
+    /// The same beside a star that it would cover, on its right where there is room.
+    fn beside(self, (x, y): (f64, f64), width: f64, stars: &[Star]) -> f64 {
+        let half = width * self.scale / 2.0;
+        let high = HALF_BAN * self.scale;
+        let covers = |star: &&Star| {
+            let (across, down) = (star.at.0 - x, star.at.1 - y);
+            across.abs() < half + star.radius && down.abs() < high + star.radius
+        };
+        let Some(star) = stars.iter().find(covers) else {
+            return self.on_map(x, width);
+        };
+        let aside = half + star.radius;
+        if star.at.0 + aside + half < self.right {
+            star.at.0 + aside
+        } else {
+            self.on_map(star.at.0 - aside, width)
+        }
+    }
 }
 
 /// How wide a label is, in units.
@@ -91,22 +115,36 @@ fn wide(text: &str) -> f64 {
     text.chars().count() as f64 * 9.6 + 22.0
 }
 
-fn ban(ban: &Ban, label: Label) -> Html {
-    let (x, y) = ban.label;
-    let width = wide(&ban.text);
-    let (x, scale) = (label.on_map(x, width), label.scale);
+fn ban_class(ban: &Ban) -> Classes {
+    classes!(
+        "ban",
+        glyph::class(ban.agent),
+        ban.is_asked.then_some("asked")
+    )
+}
+
+fn ban(ban: &Ban) -> Html {
     html! {
-        <g class={classes!("ban", glyph::class(ban.agent), ban.is_asked.then_some("asked"))}>
+        <g class={ban_class(ban)}>
             if let Some(cell) = ban.cell {
                 <rect class="at" x={(100 * cell.x + 7).to_string()} y={(100 * cell.y + 7).to_string()} width="86" height="86" rx="14" />
             }
             if let Some([(x1, y1), (x2, y2)]) = ban.line {
                 <line class="at" x1={x1.to_string()} y1={y1.to_string()} x2={x2.to_string()} y2={y2.to_string()} />
             }
-            <g transform={format!("translate({x} {y}) scale({scale})")}>
-                <rect class="tg" x={(-width / 2.0).to_string()} y="-14" width={width.to_string()} height="28" rx="14" />
-                <text y="6" text-anchor="middle">{ ban.text.clone() }</text>
-            </g>
+        </g>
+    }
+}
+
+/// What is said of a ban stands above the lines of all of them.
+fn ban_label(ban: &Ban, label: Label, stars: &[Star]) -> Html {
+    let (_, y) = ban.label;
+    let width = wide(&ban.text);
+    let (x, scale) = (label.beside(ban.label, width, stars), label.scale);
+    html! {
+        <g class={ban_class(ban)} transform={format!("translate({x} {y}) scale({scale})")}>
+            <rect class="tg" x={(-width / 2.0).to_string()} y={(-HALF_BAN).to_string()} width={width.to_string()} height={(2.0 * HALF_BAN).to_string()} rx={HALF_BAN.to_string()} />
+            <text y="6" text-anchor="middle">{ ban.text.clone() }</text>
         </g>
     }
 }
