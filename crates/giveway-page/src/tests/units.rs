@@ -27,6 +27,9 @@ fn other_units_keep_the_plan_and_undo_takes_them_back() {
     let contents = |state: &State| crate::inspect::whole(state).contents;
     assert!(contents(&state).ends_with(&sides), "{}", contents(&state));
     assert!(!contents(&before).contains(" m"), "no metres without units");
+    let again = crate::link::kept(&crate::link::keep(&state)).unwrap();
+    assert_eq!(again.document.draft.scene().units, Some(units), "kept");
+    assert!(again.document.fresh_answer().is_some());
     let undone = after(&state, [Action::Undo]);
     assert_eq!(undone.document, before.document);
     assert!(

@@ -22,6 +22,18 @@ const GROUNDS: [(char, Ground); 5] = [
     ('b', Ground::SlowCharger),
 ];
 
+/// The names of the parts that [`write`] writes behind the version, and [`read`] reads.
+pub const PARTS: [&str; 8] = [
+    "map",
+    "name",
+    "rules",
+    "costs",
+    "agents",
+    "assumes",
+    "constraints",
+    "units",
+];
+
 /// Stands for the goal of an agent that has none.
 const NO_GOAL: &str = ".-";
 

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use giveway_model::change::Changes;
+use giveway_model::format::link::scene::PARTS as SCENE;
 use giveway_model::{Agent, Plan, Scene, tr};
 
 use super::text::{numbers, unescape};
@@ -24,7 +25,7 @@ pub(super) use parts::{is_of_scene, is_public};
 
 use judged::answer;
 use mode::mode;
-use parts::{ANSWER, Parts, SCENE, broken};
+use parts::{ANSWER, Parts, broken};
 
 /// Reads documents; what several have in common is read once.
 #[derive(Debug, Default)]

@@ -3,21 +3,10 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::format::link::text;
+use giveway_model::format::link::{scene::PARTS as SCENE, text};
 use giveway_model::tr;
 
 use crate::link::From;
-
-/// The parts that make a scene.
-pub(super) const SCENE: [&str; 7] = [
-    "map",
-    "name",
-    "rules",
-    "costs",
-    "agents",
-    "assumes",
-    "constraints",
-];
 
 /// The parts that make an answer.
 pub(super) const ANSWER: [&str; 8] = [

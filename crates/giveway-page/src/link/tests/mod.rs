@@ -9,7 +9,7 @@ mod share;
 
 use std::rc::Rc;
 
-use giveway_model::{AtGoal, Cell, Scene};
+use giveway_model::{AtGoal, Cell, Scene, Units};
 use giveway_solve::Status;
 
 use super::*;
@@ -41,6 +41,11 @@ fn a_scene_comes_back_as_it_was() {
     scene_before.agents[0].battery = None;
     scene_before.agents[1].name = "A.2;!&=#".to_owned();
     scene_before.map[1] = ".##*##.##.".to_owned();
+    let measure = |text: &str| crate::number::measure(text).unwrap();
+    scene_before.units = Some(Units {
+        cell: measure("0.8"),
+        step: measure("1,5"),
+    });
     let state = State::new(Draft::new(scene_before.clone()).unwrap());
     let text = write(&state);
     assert!(
