@@ -1,5 +1,7 @@
 //! Fields for names and whole numbers.
 
+use std::rc::Rc;
+
 use crate::part::part;
 use giveway_model::tr;
 use giveway_page::number;
@@ -60,12 +62,14 @@ pub(crate) fn Field(props: &FieldProps) -> Html {
             typing.set(None);
         })
     };
+    let [pressed, released] = use_selected_by_press();
+    let is_number = props.is_measure || props.range.is_some();
     html! {
         <label>
             { &props.label }
             <input class="field" type="text" inputmode={if props.is_measure { Some("decimal") } else { props.range.and(Some("numeric")) }}
                 autocomplete="off" value={shown} placeholder={props.empty.clone()} aria-label={props.label.clone()}
-                oninput={input} onchange={change} />
+                onmousedown={is_number.then_some(pressed)} onmouseup={is_number.then_some(released)} oninput={input} onchange={change} />
             if let Some(range) = props.range.filter(|_| *refused) { { possible(range) } }
             if props.is_measure && *refused { <small class="possible" role="status">{ number::possible_measure() }</small> }
         </label>
@@ -117,11 +121,8 @@ pub(crate) fn slot(
             on_change.emit(number);
         }
     });
-    let hints = (
-        tr!("several robots" => "none"),
-        number::possible(range).into(),
-    );
-    html! { { part::<Slot>(SlotProps { name, value: shown.into(), hints: Some(hints), on_change }) } }
+    let empty = Some(tr!("several robots" => "none"));
+    html! { { part::<Slot>(SlotProps { name, value: shown.into(), empty, range: Some(range), on_change }) } }
 }
 
 #[derive(Clone, PartialEq, Properties)]
@@ -130,39 +131,77 @@ pub(crate) struct SlotProps {
     pub(crate) name: &'static str,
     /// What stands in it.
     pub(crate) value: AttrValue,
-    /// What an empty field means, and which numbers are possible.
+    /// What an empty field means.
     #[prop_or_default]
-    pub(crate) hints: Option<(&'static str, AttrValue)>,
+    pub(crate) empty: Option<&'static str>,
+    /// Which whole numbers are possible, where it holds one.
+    #[prop_or_default]
+    pub(crate) range: Option<(u32, u32)>,
     /// Takes what was typed.
     pub(crate) on_change: Callback<String>,
 }
 
-/// A field for a number in a sentence. What the state does not take is taken back.
+/// A field for a number in a sentence. What the state does not take is taken back; then it says
+/// which numbers are possible, until something else is typed.
 #[component]
 pub(crate) fn Slot(props: &SlotProps) -> Html {
     // The page may be rendered anew while somebody types: that must not take it back.
     let typing = use_state_eq(|| None::<String>);
+    let refused = use_state_eq(|| false);
     let oninput = {
-        let typing = typing.clone();
+        let (typing, refused) = (typing.clone(), refused.clone());
         Callback::from(move |event: InputEvent| {
             let input: HtmlInputElement = event.target_unchecked_into();
             typing.set(Some(input.value()));
+            refused.set(false);
         })
     };
     let onchange = {
-        let (typing, on_change) = (typing.clone(), props.on_change.clone());
+        let (typing, refused, on_change) =
+            (typing.clone(), refused.clone(), props.on_change.clone());
+        let range = props.range;
         Callback::from(move |event: Event| {
             let input: HtmlInputElement = event.target_unchecked_into();
-            on_change.emit(input.value());
+            let typed = input.value();
+            let is_empty = typed.trim().is_empty();
+            let is_possible = |range| is_empty || number::read(&typed, range).is_some();
+            refused.set(!range.is_none_or(is_possible));
+            on_change.emit(typed);
             typing.set(None);
         })
     };
+    let [pressed, released] = use_selected_by_press();
     let value = (*typing)
         .clone()
         .map_or_else(|| props.value.clone(), AttrValue::from);
-    let (empty, possible) = props.hints.clone().unzip();
+    let title = props.range.map(number::possible);
     html! {
-        <input class="num1" type="text" inputmode="decimal" autocomplete="off" aria-label={props.name}
-            title={possible} placeholder={empty} {value} {oninput} {onchange} />
+        <>
+            <input class="num1" type="text" inputmode="decimal" autocomplete="off" aria-label={props.name}
+                {title} placeholder={props.empty} {value} onmousedown={pressed} onmouseup={released} {oninput} {onchange} />
+            if let Some(range) = props.range.filter(|_| *refused) { { possible(range) } }
+        </>
     }
+}
+
+/// The press that brings the focus to a number selects it: it is typed anew more often than it is
+/// changed. What listens to the press and to its end.
+#[hook]
+fn use_selected_by_press() -> [Callback<MouseEvent>; 2] {
+    let comes = use_mut_ref(|| false);
+    let pressed = {
+        let comes = Rc::clone(&comes);
+        Callback::from(move |event: MouseEvent| {
+            let input: HtmlInputElement = event.target_unchecked_into();
+            *comes.borrow_mut() = !input.matches(":focus").unwrap_or_default();
+        })
+    };
+    let released = Callback::from(move |event: MouseEvent| {
+        let input: HtmlInputElement = event.target_unchecked_into();
+        let is_caret = input.selection_start().ok() == input.selection_end().ok();
+        if comes.replace(false) && is_caret {
+            input.select();
+        }
+    });
+    [pressed, released]
 }

@@ -150,5 +150,5 @@ fn field(
             send.emit(Action::FloorPlan(action(number)));
         }
     });
-    html! { { part::<Slot>(SlotProps { name, value: shown.into(), hints: None, on_change }) } }
+    html! { { part::<Slot>(SlotProps { name, value: shown.into(), empty: None, range: None, on_change }) } }
 }

@@ -225,8 +225,7 @@ fn steps(value: u32, send: &Callback<Action>) -> Html {
             send.emit(Action::Order(OrderAction::Steps(steps)));
         }
     });
-    let hints = ("", number::possible(range).into());
-    html! { { part::<Slot>(SlotProps { name: tr!("Steps late"), value: value.to_string().into(), hints: Some(hints), on_change }) } }
+    html! { { part::<Slot>(SlotProps { name: tr!("Steps late"), value: value.to_string().into(), empty: None, range: Some(range), on_change }) } }
 }
 
 /// A list of which one is chosen.

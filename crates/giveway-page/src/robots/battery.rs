@@ -6,7 +6,7 @@ use super::fault::fault;
 use super::{Column, Fault};
 
 /// The largest battery, in steps.
-const CAPACITY: u32 = 100_000;
+pub const CAPACITY: u32 = 100_000;
 
 /// A battery as it was given; empty is unlimited.
 pub(super) fn battery(

@@ -22,26 +22,30 @@ pub(super) fn fits(row: &Row, filter: &str) -> bool {
     if is_none {
         return text.is_empty();
     }
-    if let Some((sign, number)) = rest.split_at_checked(1)
-        && matches!(sign, "<" | ">")
-    {
-        let pair = number
-            .trim()
-            .parse::<u32>()
-            .ok()
-            .zip(text.parse::<u32>().ok());
-        return pair.is_some_and(|(number, own)| {
-            if sign == "<" {
-                own < number
-            } else {
-                own > number
-            }
-        });
+    if let Some((compares, number)) = comparison(rest) {
+        let pair = number.parse::<u32>().ok().zip(text.parse::<u32>().ok());
+        return pair.is_some_and(|(number, own)| compares(own.cmp(&number)));
     }
     match (super::read::numbers(rest), super::read::numbers(text)) {
         (Some(wanted), Some(own)) if !wanted.is_empty() => wanted.iter().all(|n| own.contains(n)),
         _ => !text.is_empty() && text.to_lowercase().contains(rest),
     }
+}
+
+/// How a filter compares, and with what: `>= 65`.
+fn comparison(rest: &str) -> Option<(fn(Ordering) -> bool, &str)> {
+    const SIGNS: [(&str, fn(Ordering) -> bool); 6] = [
+        (">=", Ordering::is_ge),
+        ("\u{2265}", Ordering::is_ge),
+        ("<=", Ordering::is_le),
+        ("\u{2264}", Ordering::is_le),
+        (">", Ordering::is_gt),
+        ("<", Ordering::is_lt),
+    ];
+    SIGNS.into_iter().find_map(|(sign, compares)| {
+        let number = rest.strip_prefix(sign)?;
+        Some((compares, number.trim()))
+    })
 }
 
 /// The column that a filter asks about; `None` where it asks for a name.

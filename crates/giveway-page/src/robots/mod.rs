@@ -20,6 +20,7 @@ use giveway_model::tr;
 
 use crate::State;
 
+pub use battery::CAPACITY;
 pub use fault::Fault;
 pub(crate) use given::{Given, Target, take};
 pub(crate) use order::{HeldRows, hold, shown};
@@ -54,6 +55,8 @@ pub enum RobotsAction {
     SelectAll,
     /// The battery of those that are selected; `None` is unlimited.
     Battery(Option<u32>),
+    /// The level at which the batteries of those that are selected begin.
+    Level(u32),
     /// Those that are selected come once more, on free cells beside them.
     Duplicate,
     /// Those that are selected go.

@@ -1,7 +1,8 @@
 //! Pointers come down, move and go up: what they do by then is decided here.
 
 use giveway_page::{Action, BoardAction};
-use web_sys::{Element, PointerEvent, SvgElement};
+use wasm_bindgen::JsCast as _;
+use web_sys::{Element, HtmlInputElement, PointerEvent, SvgElement};
 
 use super::place::distance;
 use super::{Act, Hand, Surface};
@@ -13,6 +14,7 @@ const SLOP_PX: f64 = 5.0;
 
 impl Surface {
     pub(super) fn down(&self, hand: &mut Hand, event: &PointerEvent, time: f64) {
+        finish_typing();
         let at = self.px(event);
         self.pointer.set(None);
         if let Some(svg) = self.svg.cast::<Element>() {
@@ -139,5 +141,14 @@ impl Surface {
         if let Act::Paint(_) = std::mem::replace(&mut hand.act, Act::Spent) {
             self.send.emit(Action::Board(BoardAction::Release));
         }
+    }
+}
+
+/// What was typed in a field counts from here on: it would else be heard after the stroke began.
+fn finish_typing() {
+    let active = gloo::utils::document().active_element();
+    let field = active.and_then(|active| active.dyn_into::<HtmlInputElement>().ok());
+    if let Some(field) = field {
+        let _ = field.blur();
     }
 }

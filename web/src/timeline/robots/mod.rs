@@ -7,11 +7,12 @@ use std::rc::Rc;
 
 use giveway_model::tr;
 use giveway_page::Action;
-use giveway_page::robots::{Column, RobotsAction, Table, copied, table};
+use giveway_page::robots::{CAPACITY, Column, RobotsAction, Table, copied, table};
 use web_sys::{HtmlElement, HtmlInputElement};
 use yew::prelude::*;
 
 use super::{DockProps, places};
+use crate::field::slot;
 use crate::held::use_held;
 use crate::{Shown, copy, icon};
 use keys::{Editing, keys};
@@ -150,21 +151,19 @@ fn tools(now: &Table, state: &Shown, send: &Callback<Action>) -> Html {
         let state = state.clone();
         Callback::from(move |_: MouseEvent| crate::files::save_robots(&state))
     };
-    let battery = {
+    let level = {
         let send = send.clone();
-        Callback::from(move |event: Event| {
-            let input: HtmlInputElement = event.target_unchecked_into();
-            let text = input.value();
-            let number = giveway_page::number::read(&text, (0, 100_000));
-            if number.is_some() || text.trim().is_empty() {
-                send.emit(Action::Robots(RobotsAction::Battery(number)));
+        Callback::from(move |level: Option<u32>| {
+            if let Some(level) = level {
+                send.emit(Action::Robots(RobotsAction::Level(level)));
             }
         })
     };
     html! {
         <>
             if now.selected > 0 {
-                <label class="rbattery">{ tr!("Battery") }<input class="num1" type="text" inputmode="numeric" aria-label={tr!("Battery of those selected, steps")} onchange={battery} /></label>
+                <span class="rbattery">{ tr!("Battery") }{ slot(tr!("Battery of those selected, steps"), None, (0, CAPACITY), send.reform(|number| Action::Robots(RobotsAction::Battery(number)))) }</span>
+                <span class="rbattery">{ tr!("At the start") }{ slot(tr!("Level at the start of those selected"), None, (0, CAPACITY), level) }</span>
                 { press(tr!("Duplicate those selected").to_owned(), "plus", RobotsAction::Duplicate) }
                 { press(tr!("Delete those selected").to_owned(), "erase", RobotsAction::Delete) }
             }

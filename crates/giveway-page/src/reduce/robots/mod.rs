@@ -81,15 +81,9 @@ pub(super) fn robots(state: &mut State, action: RobotsAction) {
                     initial: old.map_or(capacity, |old| old.initial.min(capacity)),
                 })
             };
-            state.view.robots.held = Some(hold(state));
-            let mut agents = state.document.draft.agents().to_vec();
-            for index in selected(state) {
-                if let Some(agent) = agents.get_mut(index) {
-                    agent.battery = battery(agent.battery);
-                }
-            }
-            edit(state, Edit::PutAgents(agents));
+            change_selected(state, |agent| agent.battery = battery(agent.battery));
         }
+        RobotsAction::Level(level) => begin_at(state, level),
         RobotsAction::Duplicate => duplicate(state),
         RobotsAction::Delete => {
             let gone = selected(state);
@@ -97,6 +91,53 @@ pub(super) fn robots(state: &mut State, action: RobotsAction) {
                 edit(state, Edit::RemoveAgents(gone));
             }
         }
+    }
+}
+
+/// Changes all robots that are selected, in one step of undo.
+fn change_selected(state: &mut State, change: impl Fn(&mut Agent)) {
+    state.view.robots.held = Some(hold(state));
+    let mut agents = state.document.draft.agents().to_vec();
+    for index in selected(state) {
+        if let Some(agent) = agents.get_mut(index) {
+            change(agent);
+        }
+    }
+    edit(state, Edit::PutAgents(agents));
+}
+
+/// The batteries of those that are selected begin at a level; none does where one cannot.
+fn begin_at(state: &mut State, level: u32) {
+    let agents = state.document.draft.agents();
+    let chosen = selected(state).into_iter();
+    let mut chosen = chosen.filter_map(|index| agents.get(index));
+    let cannot = chosen.find_map(|agent| match agent.battery {
+        None => Some((agent.name.clone(), None)),
+        Some(battery) if battery.capacity < level => {
+            Some((agent.name.clone(), Some(battery.capacity)))
+        }
+        Some(_) => None,
+    });
+    match cannot {
+        None => change_selected(state, |agent| {
+            if let Some(battery) = &mut agent.battery {
+                battery.initial = level;
+            }
+        }),
+        Some((name, None)) => {
+            ask::refuse(
+                state,
+                tr_data!("{name} has no battery. Nothing was changed.", name),
+            );
+        }
+        Some((name, Some(capacity))) => ask::refuse(
+            state,
+            tr_data!(
+                "The battery of {name} holds {capacity}. Nothing was changed.",
+                name,
+                capacity
+            ),
+        ),
     }
 }
 

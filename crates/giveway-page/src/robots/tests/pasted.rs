@@ -199,6 +199,21 @@ fn selected_rows_are_deleted_doubled_and_get_a_battery() {
         .map(|battery| battery.capacity)
         .collect();
     assert_eq!(levels, [50, 80, 50]);
+    let initial = |state: &State| -> Vec<u32> {
+        let agents = state.document.draft.agents().iter();
+        let batteries = agents.filter_map(|agent| agent.battery);
+        batteries.map(|battery| battery.initial).collect()
+    };
+    let low = act(&charged, &[RobotsAction::Level(30)]);
+    assert_eq!(initial(&low), [30, initial(&floor())[0], 30]);
+    assert_eq!(after(&low, [Action::Undo]).document, charged.document);
+    let high = act(&charged, &[RobotsAction::Level(51)]);
+    assert_eq!(
+        high.document, charged.document,
+        "none begins above its battery"
+    );
+    let none = act(&state, &[RobotsAction::Level(30)]);
+    assert_eq!(none.document, state.document, "A1 has no battery");
     let doubled = act(&state, &[RobotsAction::Duplicate]);
     assert_eq!(doubled.document.draft.agents().len(), 5);
     assert!(
