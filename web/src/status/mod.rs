@@ -77,10 +77,14 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
     }
 }
 
+/// How many letters of the sentence are in large letters.
+const LONG: usize = 84;
+
 /// The status sentence with its badge: seen, and read aloud.
 pub(crate) fn sentence(state: &State) -> Html {
     let standing = words::standing(state);
     let badge = standing.badge;
+    let is_long = standing.beside_badge().chars().count() > LONG;
     html! {
         <>
             <p class="status-line" aria-hidden="true">
@@ -88,7 +92,7 @@ pub(crate) fn sentence(state: &State) -> Html {
                     { icon::show(badge.icon()) }{ badge.word() }
                 </span>
                 // What stands there once the question is answered: the line keeps its height.
-                <span class="say" data-later={words::later(state)}>
+                <span class={classes!("say", is_long.then_some("long"))} data-later={words::later(state)}>
                     <span>{ standing.beside_badge().to_owned() }</span>
                 </span>
             </p>

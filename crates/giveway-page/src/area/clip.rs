@@ -6,7 +6,7 @@ use std::rc::Rc;
 use giveway_model::constraint::ConstraintKind;
 use giveway_model::{Agent, Cell, Constraint, Grid, Ground};
 
-use super::{Area, Doing, frame};
+use super::{Area, Doing, Way, frame};
 use crate::Draft;
 
 /// What was on an area when it was copied.
@@ -48,6 +48,39 @@ impl Clip {
             zones: scene.zones.iter().filter_map(zone).collect(),
             lanes: lanes.cloned().collect(),
             cells: Rc::clone(cells),
+        }
+    }
+
+    /// The same mirrored or turned.
+    pub(crate) fn turned(&self, way: Way) -> Self {
+        let all = |cells: &[Cell]| cells.iter().filter_map(|&cell| way.of(cell)).collect();
+        let agent = |agent: &Agent| {
+            Some(Agent {
+                start: way.of(agent.start)?,
+                goal: agent.goal.and_then(|goal| way.of(goal)),
+                waypoints: all(&agent.waypoints),
+                ..agent.clone()
+            })
+        };
+        let lane = |rule: &Constraint| {
+            let mut rule = rule.clone();
+            if let ConstraintKind::OneWay { lane } = &mut rule.kind {
+                *lane = all(lane);
+            }
+            rule
+        };
+        let ground = self.ground.iter();
+        let zones = self.zones.iter();
+        Self {
+            cells: Rc::new(self.cells.iter().filter_map(|&cell| way.of(cell)).collect()),
+            ground: ground
+                .filter_map(|&(cell, ground)| Some((way.of(cell)?, ground)))
+                .collect(),
+            agents: self.agents.iter().filter_map(agent).collect(),
+            zones: zones
+                .map(|(name, cells)| (name.clone(), all(cells)))
+                .collect(),
+            lanes: self.lanes.iter().map(lane).collect(),
         }
     }
 

@@ -25,6 +25,40 @@ fn mirrored_twice_and_turned_four_times_it_is_as_it_was() {
 }
 
 #[test]
+fn what_is_pasted_turns_in_the_hand_even_where_it_does_not_fit() {
+    let copied = framed(&floor(), (1, 1), (3, 1), Frame::Replace);
+    let copied = act(&copied, &[AreaAction::Copy]);
+    let pasted = after(
+        &copied,
+        [
+            Action::Board(BoardAction::MoveCursor(Cell::new(5, 0))),
+            Action::Area(AreaAction::Paste),
+        ],
+    );
+    let is_refused = |state: &State| {
+        let ghosts = shown(state).unwrap().ghosts;
+        ghosts.iter().any(|ghost| ghost.class == "refused")
+    };
+    assert!(!is_refused(&pasted));
+    let mirrored = act(&pasted, &[AreaAction::Mirror(true)]);
+    assert!(is_refused(&mirrored), "A2 starts at (7, 0)");
+    let twice = act(&mirrored, &[AreaAction::Mirror(true)]);
+    assert!(!is_refused(&twice), "it turned where it was refused");
+    assert_eq!(map(&mirrored), map(&floor()), "nothing is made yet");
+    let refused = act(&mirrored, &[AreaAction::Make]);
+    assert_eq!(map(&refused), map(&floor()));
+    assert!(refused.view.notice.is_some(), "and it is said");
+    let made = act(&refused, &[AreaAction::Nudge(0, 4), AreaAction::Make]);
+    assert_eq!(map(&made)[4], "...~.+##", "mirrored");
+    let turned = act(
+        &refused,
+        &[AreaAction::Turn, AreaAction::Nudge(-2, 1), AreaAction::Make],
+    );
+    let column: String = map(&turned).iter().map(|row| &row[3..4]).collect();
+    assert!(column.contains("+"), "{column}");
+}
+
+#[test]
 fn copies_have_names_of_their_own() {
     let state = act(&selected(), &[AreaAction::Copy]);
     let state = after(

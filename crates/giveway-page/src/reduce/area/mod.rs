@@ -88,7 +88,13 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
                 make(state, &[Edit::Area(AreaEdit::Erase(area.cells))]);
             }
         }
-        AreaAction::Make => keep(state),
+        AreaAction::Make => {
+            let ghost = state.view.area.clone();
+            let ghost = ghost.filter(|area| matches!(area.doing, Doing::Pastes(_)));
+            keep(state);
+            // What cannot be pasted here stays in the hand.
+            state.view.area = state.view.area.take().or(ghost);
+        }
         AreaAction::Drop => match state.view.area.take() {
             Some(area) if area.has_ghost() && !matches!(area.doing, Doing::Pastes(_)) => {
                 state.view.area = Some(without_ghost(area));
@@ -273,8 +279,21 @@ fn without_ghost(area: Area) -> Area {
     }
 }
 
-/// Moves what is on the area within its frame.
+/// Moves what is on the area within its frame; what is being pasted turns before it is made.
 fn turn(state: &mut State, way: impl FnOnce(&Area) -> Way) {
+    stroke::release(state);
+    if let Some(area) = state.view.area.clone()
+        && let Doing::Pastes(clip) = &area.doing
+    {
+        let clip = Rc::new(clip.turned(way(&area)));
+        let turned = Area {
+            cells: Rc::clone(&clip.cells),
+            by: (0, 0),
+            doing: Doing::Pastes(clip),
+        };
+        state.view.area = Some(turned.moved(area.by, state.document.draft.grid()));
+        return;
+    }
     let Some(area) = standing(state) else { return };
     let way = way(&area);
     if make(

@@ -212,8 +212,9 @@ fn selected_rows_are_deleted_doubled_and_get_a_battery() {
         high.document, charged.document,
         "none begins above its battery"
     );
-    let none = act(&state, &[RobotsAction::Level(30)]);
-    assert_eq!(none.document, state.document, "A1 has no battery");
+    let bare = act(&state, &[RobotsAction::Battery(None)]);
+    let none = act(&bare, &[RobotsAction::Level(30)]);
+    assert_eq!(none.document, bare.document, "there is no battery");
     let doubled = act(&state, &[RobotsAction::Duplicate]);
     assert_eq!(doubled.document.draft.agents().len(), 5);
     assert!(
