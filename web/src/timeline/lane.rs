@@ -29,6 +29,8 @@ pub(super) struct LaneRowProps {
     pub columns: Range<u32>,
     /// The battery's level at the time shown.
     pub level: Option<u32>,
+    /// Whether it has broken down for good by then.
+    pub is_broken_down: bool,
     /// What becomes of the agent, while ways to go on are compared; how late it may be,
     /// where what must be so is laid over the plan.
     pub fate: Option<String>,
@@ -122,6 +124,8 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                         <small>{ note.around.clone() }</small>
                     } else if let Some(fate) = &props.fate {
                         <small class="fate">{ fate.clone() }</small>
+                    } else if props.is_broken_down {
+                        <small>{ tr!("behind a robot" => "broken down") }</small>
                     } else if let Some((level, capacity)) = level {
                         <small>{ tr!("{level} of {capacity}", level, capacity) }</small>
                     }

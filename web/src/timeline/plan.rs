@@ -210,6 +210,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
                 in_zone={lanes.get(index).map(|lane| giveway_page::rules::in_lit_zone(state, &lane.name)).unwrap_or_default()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
                 level={lanes.get(index).and_then(|lane| lane.level_at(time))}
+                is_broken_down={lanes.get(index).and_then(|lane| lane.stopped).is_some_and(|(from, _)| from <= time)}
                 fate={lanes.get(index).and_then(|lane| fate(&lane.name))} selected={selected == Some(index)}
                 note={notes.as_ref().and_then(|notes| notes.get(index)).cloned()}
                 marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))}

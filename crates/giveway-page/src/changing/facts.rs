@@ -1,7 +1,7 @@
 //! What is listed, and what has changed before, in words.
 
 use giveway_model::change::{ConstraintRef, What};
-use giveway_model::{Constraint, Fault, tr};
+use giveway_model::{Cell, Constraint, Fault, Plan, tr};
 
 use super::Changing;
 use super::breakdown::{Breakdown, breakdowns};
@@ -69,7 +69,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         at: changing.at,
         text: match changing.list.as_slice() {
             [] => tr!("Nothing is listed yet").to_owned(),
-            list => texts(list.iter()),
+            list => texts(changing.about.plan(), list, changing.at),
         },
         detail: Some(match compared {
             None => tr!("no answers yet").to_owned(),
@@ -126,11 +126,7 @@ fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
         let listed = listed(changing, index, what, rules);
         match (stops(index), whose(what)) {
             (Some((_, cell)), Some(agent)) => Listed {
-                text: tr!(
-                    "{agent} breaks down for good at {cell}",
-                    agent,
-                    cell = at(cell)
-                ),
+                text: for_good(agent, cell),
                 detail: Some(tr!("it stays there as an obstacle").to_owned()),
                 ..listed
             },
@@ -138,6 +134,14 @@ fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
         }
     };
     shown.map(one).collect()
+}
+
+fn for_good(agent: &str, cell: Cell) -> String {
+    tr!(
+        "{agent} breaks down for good at {cell}",
+        agent,
+        cell = at(cell)
+    )
 }
 
 fn listed(changing: &Changing, index: usize, what: &What, rules: &[Constraint]) -> Listed {
@@ -191,7 +195,7 @@ pub fn history(answer: &Answer) -> Vec<Past> {
         let method = change::methods_in_words(step);
         past.push(Past {
             at: step.at,
-            text: texts(changes_of(course, step.at)),
+            text: texts(answer.plan(), &changes_of(course, step.at), step.at),
             detail: match (method, costs(step.after)) {
                 (Some(method), Some(costs)) => Some(format!("{method}: {costs}")),
                 (method, costs) => method.or(costs),
@@ -201,18 +205,28 @@ pub fn history(answer: &Answer) -> Vec<Past> {
     past
 }
 
-fn changes_of(course: &Course, at: u32) -> impl Iterator<Item = &What> {
+fn changes_of(course: &Course, at: u32) -> Vec<What> {
     let changes = course.changes.changes.iter();
     changes
-        .filter(move |change| change.at == at)
-        .map(|change| &change.what)
+        .filter(|change| change.at == at)
+        .map(|change| change.what.clone())
+        .collect()
 }
 
-/// The first of some changes in words, and how many more there are.
-pub(crate) fn texts<'a>(mut whats: impl Iterator<Item = &'a What>) -> String {
-    let first = whats.next().map(|what| what.sentence().0);
-    let first = first.unwrap_or_default();
-    match whats.count() {
+/// The first of the changes of a time in words, and how many more there are. A robot that breaks
+/// down for good is one with the obstacle that it becomes.
+pub(crate) fn texts(plan: Option<&Plan>, list: &[What], at: u32) -> String {
+    let stops = |index: usize| obstacle_of(plan, list, at, index);
+    let indices = 0..list.len();
+    let taken: Vec<usize> = indices.filter_map(|index| Some(stops(index)?.0)).collect();
+    let shown = list.iter().enumerate();
+    let mut shown = shown.filter(|(index, _)| !taken.contains(index));
+    let in_words = |(index, what): (usize, &What)| match (stops(index), whose(what)) {
+        (Some((_, cell)), Some(agent)) => for_good(agent, cell),
+        _ => what.sentence().0,
+    };
+    let first = shown.next().map(in_words).unwrap_or_default();
+    match shown.count() {
         0 => first,
         more => tr!("{first}, and {more} more", first, more),
     }

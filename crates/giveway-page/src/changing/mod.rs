@@ -33,7 +33,7 @@ pub(crate) use facts::{count, texts};
 pub(crate) use meets::inside;
 pub use offers::{Offers, offers};
 pub use stopped::Stopped;
-pub(crate) use stopped::stopped_in_words;
+pub(crate) use stopped::{stopped, stopped_in_words};
 pub(crate) use travelled::travelled;
 
 /// The world changes at a time, and this is how.

@@ -83,6 +83,16 @@ pub(crate) fn stopped_in_words(n: usize) -> String {
     tr!("{n} broken down for good", n)
 }
 
+/// When and where an agent of a plan that went on broke down for good.
+pub(crate) fn stopped(answer: &Answer, agent: &str) -> Option<(u32, Cell)> {
+    past(answer).find_map(|(at, list)| {
+        let is_it = |what: &What| matches!(what, What::RemoveAgent { agent: own } if own == agent);
+        let index = list.iter().position(is_it)?;
+        let (_, cell) = obstacle_of(answer.plan(), &list, at, index)?;
+        Some((at, cell))
+    })
+}
+
 /// The robots that have broken down for good in a world that changes.
 pub(super) fn of_changes(state: &State) -> Vec<Stopped> {
     let mut all = Vec::new();

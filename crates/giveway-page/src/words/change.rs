@@ -59,7 +59,7 @@ pub(super) fn changing(changing: &Changing) -> String {
 /// What happens at the time at which the world changes.
 pub(super) fn happening(changing: &Changing) -> String {
     let at = changing.at;
-    let what = texts(changing.list.iter());
+    let what = texts(changing.about.plan(), &changing.list, at);
     tr!("At time {at}: {what}.", at, what)
 }
 

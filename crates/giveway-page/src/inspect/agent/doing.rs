@@ -16,6 +16,17 @@ pub(super) fn doing(lane: &Lane, time: u32) -> String {
     }
     let Some(step) = lane.step_at(time) else {
         let end = at(lane.end());
+        if let Some((from, cell)) = lane.stopped {
+            return if time < from {
+                tr!("Half way from {from} to {to}", from = end, to = at(cell))
+            } else {
+                tr!(
+                    "Broken down for good at {cell} since {time}",
+                    cell = at(cell),
+                    time = from
+                )
+            };
+        }
         if let Some(until) = lane.removed {
             return if time < until {
                 tr!("At {end}, gone from time {until} on", end, until)
@@ -94,6 +105,7 @@ mod tests {
             arrives: true,
             stays: false,
             removed: None,
+            stopped: None,
             steps: [(0, 1, 0), (1, 2, 0), (2, 3, 1)]
                 .map(|(begins, ends, x)| crate::timeline::Step {
                     way: if x == 0 { Way::Wait } else { Way::Move },

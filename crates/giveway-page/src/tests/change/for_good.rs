@@ -4,11 +4,12 @@ use giveway_model::change::What;
 use giveway_model::{Battery, Cell};
 
 use super::{changing, joined, list, running};
-use crate::changing::{broken_down_for_good, facts, offers};
+use crate::changing::{broken_down_for_good, facts, history, offers};
 use crate::find::{self, FindAction};
 use crate::inspect::{self, whole};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, saying, seek};
+use crate::timeline::{Axis, Lane, Row, Shapes};
 use crate::{Action, ChangeAction, Edit, Phase, Selection, State, Tool};
 
 /// The cell of A1 at time 1.
@@ -58,6 +59,20 @@ fn for_good_it_stays_as_an_obstacle_with_its_name() {
     let adopted = after(&found, [Action::Change(ChangeAction::Adopt(2)), seek(2)]);
     assert_eq!(adopted.phase(), Phase::Planned);
     assert_eq!(broken_down_for_good(&adopted), named);
+    let answer = adopted.shown().unwrap();
+    let past = history(answer);
+    let said = format!("A1 breaks down for good at {cell}");
+    assert_eq!(past.last().unwrap().text, said);
+    let lane = Lane::of(answer, 0).unwrap();
+    assert_eq!(lane.stopped, Some((1, cell)));
+    let sentence = lane.sentence();
+    assert!(
+        sentence.ends_with(&format!("{} at 1", said.replace("A1 ", ""))),
+        "{sentence}"
+    );
+    let axis = Axis::fit(answer.makespan(), 600.0, 0.0);
+    let shapes = Shapes::of(&lane, axis, Row::BARE, &(0..9));
+    assert!(!shapes.crosses.is_empty() && !shapes.moves.is_empty());
     assert!(broken_down_for_good(&after(&adopted, [seek(0)])).is_empty());
 }
 

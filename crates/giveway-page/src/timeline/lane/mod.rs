@@ -9,6 +9,7 @@ mod turns;
 use giveway_model::{AtGoal, Cell};
 
 use crate::Answer;
+use crate::changing::stopped;
 
 pub use turns::Turn;
 
@@ -74,6 +75,8 @@ pub struct Lane {
     pub stays: bool,
     /// The time from which it is gone, where it was removed: it never arrives.
     pub removed: Option<u32>,
+    /// When and where it broke down for good, where it did: it stays there.
+    pub stopped: Option<(u32, Cell)>,
     /// What it does, by time, without gaps.
     pub steps: Vec<Step>,
     /// The times at which it charges.
@@ -91,6 +94,7 @@ impl Lane {
         let plan = answer.plan()?;
         let who = answer.agents().get(agent)?;
         let removed = answer.removed(agent);
+        let stopped = removed.and_then(|_| stopped(answer, &who.name));
         let path = plan.path(&who.name);
         let begins = plan.from.get(&who.name).copied().unwrap_or(0);
         let mut stops = path
@@ -136,6 +140,7 @@ impl Lane {
             arrives,
             stays: arrives && answer.draft.scene().rules.at_end_of(who) == AtGoal::Stay,
             removed,
+            stopped,
             steps,
             charges: plan.charges(&who.name).to_vec(),
             capacity: who.battery.map(|battery| battery.capacity),
@@ -170,6 +175,9 @@ impl Lane {
 
     /// The battery level at a time; from the arrival on, that of the arrival.
     pub fn level_at(&self, time: u32) -> Option<u32> {
+        if self.removed.is_some_and(|until| until <= time) {
+            return None;
+        }
         let index = time.saturating_sub(self.begins) as usize;
         self.levels.get(index).or(self.levels.last()).copied()
     }

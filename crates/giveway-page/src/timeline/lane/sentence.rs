@@ -38,6 +38,11 @@ impl Lane {
             parts.insert(0, tr!("joins at {time}", time = self.begins));
         }
         parts.push(match self.removed {
+            Some(_) if let Some((time, cell)) = self.stopped => tr!(
+                "breaks down for good at {cell} at {time}",
+                cell = crate::words::at(cell),
+                time
+            ),
             Some(time) => tr!("is removed at {time}", time),
             None if self.arrives => tr!("arrives at {time}", time = self.arrival),
             None => tr!("led up to {time}", time = self.arrival),

@@ -7,6 +7,8 @@ mod tests;
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use giveway_model::Cell;
+
 use super::{Axis, Lane, Row, Step, Way};
 use path::{arrow, clock, px};
 pub(crate) use path::{rounded, stripes};
@@ -63,6 +65,26 @@ fn joined<'a>(steps: impl Iterator<Item = &'a Step>, axis: Axis) -> Vec<Step> {
     joined
 }
 
+/// What a lane shows of a robot that broke down for good: its last move, which no plan counts, and
+/// that it stands.
+fn after_stop(lane: &Lane, at: u32, cell: Cell, last: u32) -> Vec<Step> {
+    let step = |way, begins, ends, from| Step {
+        way,
+        begins,
+        ends,
+        from,
+        to: cell,
+    };
+    let way = if lane.end() == cell {
+        Way::Wait
+    } else {
+        Way::Move
+    };
+    let way_there = (lane.arrival < at).then(|| step(way, lane.arrival, at, lane.end()));
+    let stands = (at..last).map(|time| step(Way::Broken, time, time + 1, cell));
+    way_there.into_iter().chain(stands).collect()
+}
+
 impl Shapes {
     /// The shapes of a lane at the columns that are drawn.
     pub fn of(lane: &Lane, axis: Axis, row: Row, seen: &Range<u32>) -> Self {
@@ -70,6 +92,12 @@ impl Shapes {
         let drawn = |step: &&Step| step.ends >= seen.start && step.begins < seen.end;
         for step in joined(lane.steps.iter().filter(drawn), axis) {
             shapes.add(&step, axis, row);
+        }
+        if let Some((at, cell)) = lane.stopped {
+            let rest = after_stop(lane, at, cell, axis.times.saturating_sub(1));
+            for step in joined(rest.iter().filter(drawn), axis) {
+                shapes.add(&step, axis, row);
+            }
         }
         let is_seen = |time: &u32| seen.contains(time);
         let x = |time: u32| axis.x(f64::from(time));
