@@ -55,10 +55,14 @@ fn waits_for(state: &State, agent: usize, send: &Callback<Action>) -> Html {
     html! { <>{ tr!("behind a wait, before the rule that causes it" => " for ") }{ for rules.iter().enumerate().map(rule) }</> }
 }
 
+/// How many stops of a robot are listed.
+const STOPS: usize = 8;
+
 fn show_plan(lane: &Lane, units: Option<Units>, send: &Callback<Action>) -> Html {
     let (slow, waits, broken) = (lane.count(Way::Slow), lane.waits(), lane.count(Way::Broken));
     let turns = lane.turns();
     let arrival = lane.arrival;
+    let stops = lane.stops();
     html! {
         <>
             <div><dt>{ tr!("Arrives") }</dt><dd><span>{ tr!("before a time" => "at") }{ " " }{ time(arrival, send) }if let Some(after) = words::duration(units, arrival) { { format!(" ({after})") } }</span></dd></div>
@@ -70,10 +74,12 @@ fn show_plan(lane: &Lane, units: Option<Units>, send: &Callback<Action>) -> Html
                 </span></dd>
             </div>
             if waits > 0 {
-                <div><dt>{ tr!("Waits") }</dt><dd><span>
+                <div><dt>{ tr!("Waits") }</dt><dd><span class="times">
                     <b>{ waits }</b>{ tr!("after a bold number" => " step" | " steps" % waits) }
                     if turns > 0 { { tr!(", {turns} of them to turn", turns) } }
                     if broken == waits { { tr!(", in which it is broken down") } } else if broken > 0 { { tr!(", {broken} of them broken down", broken) } }
+                    { tr!("after how many steps a robot waits, before times" => ", from") }{ " " }{ for stops.iter().take(STOPS).map(|&at| html! { <>{ time(at, send) }{ " " }</> }) }
+                    if stops.len() > STOPS { { "\u{2026}" } }
                 </span></dd></div>
             }
             if !lane.charges.is_empty() {

@@ -135,6 +135,8 @@ pub(super) fn select(state: &mut State, selection: Selection) {
         Selection::Cell(cell) => Selection::Cell(state.document.draft.clamp(cell)),
         selection => selection,
     };
+    // Nobody is followed any more, nor whoever is selected next.
+    state.view.follow &= state.view.selection != Selection::Nothing;
     steer::follow(state);
 }
 

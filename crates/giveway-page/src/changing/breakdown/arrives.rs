@@ -36,7 +36,7 @@ pub(super) fn told(
             if is_empty || is_cut_off(changing, lane, cell, level, &mut looks) {
                 lost.push(lane.name.clone());
             } else if let Some(left) = left {
-                told.push(left.told());
+                told.push(left.told(&lane.name));
             }
         }
         None => told.push((
@@ -108,17 +108,21 @@ impl Left {
         })
     }
 
-    fn told(self) -> (bool, String) {
+    fn told(self, name: &str) -> (bool, String) {
         if let Some(time) = self.low {
             let bad = tr!(
-                "Its battery does not last on its path: it is too low at {time}. Another path has to charge it.",
+                "The battery of {name} does not last on its path: it is too low at {time}. Another path has to charge it.",
+                name,
                 time
             );
             return (true, bad);
         }
         let n = self.least;
-        let good = tr!("Its battery lasts: {n} step is left where it is lowest."
-            | "Its battery lasts: {n} steps are left where it is lowest." % n);
+        let good = tr!(
+            "The battery of {name} lasts: {n} step is left where it is lowest."
+                | "The battery of {name} lasts: {n} steps are left where it is lowest." % n,
+            name
+        );
         (false, good)
     }
 }

@@ -114,22 +114,21 @@ fn whether_its_battery_lasts_is_told() {
     };
     // Four steps to go, and one more in the battery.
     let told = |steps| corridor(".....", &with(6, 5), Some(steps)).told;
-    let good = "Its battery lasts: 0 steps are left where it is lowest.";
+    let good = "The battery of A1 lasts: 0 steps are left where it is lowest.";
     assert_eq!(told(1), [(false, good.to_owned())]);
     let bad = "1 robot could not arrive any more: A1.";
     assert_eq!(told(2), [(true, bad.to_owned())]);
     assert_eq!(told(9), [(true, bad.to_owned())]);
     // On the way there is a charger, at which the plan does not charge.
     let passes = |steps| corridor("..+..", &with(5, 4), Some(steps)).told;
-    let charges =
-        "Its battery does not last on its path: it is too low at 5. Another path has to charge it.";
+    let charges = "The battery of A1 does not last on its path: it is too low at 5. Another path has to charge it.";
     assert_eq!(passes(2), [(true, charges.to_owned())]);
     assert_eq!(passes(3), [(true, bad.to_owned())]);
     // It stands on the charger.
     let stands = corridor(".+...", &with(5, 5), Some(40)).told;
     assert_eq!(stands.len(), 1);
     assert!(
-        !stands[0].0 && stands[0].1.starts_with("Its battery lasts"),
+        !stands[0].0 && stands[0].1.starts_with("The battery of A1 lasts"),
         "{stands:?}"
     );
     let none = corridor(

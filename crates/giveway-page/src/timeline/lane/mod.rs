@@ -198,6 +198,16 @@ impl Lane {
         self.steps.iter().filter(|step| step.way.stays()).count()
     }
 
+    /// The times at which it stops: each begins waits without a move between them.
+    pub fn stops(&self) -> Vec<u32> {
+        let stays = |step: &Step| step.way.stays();
+        let runs = self.steps.chunk_by(|one, next| stays(one) && stays(next));
+        let runs = runs.filter_map(|run| run.first());
+        runs.filter(|step| stays(step))
+            .map(|step| step.begins)
+            .collect()
+    }
+
     /// The moves, slow or not.
     pub fn moves(&self) -> usize {
         self.steps.len() - self.waits()

@@ -75,3 +75,9 @@ fn what_is_done_otherwise_differs_and_what_is_done_later_does_not() {
     let elsewhere = along(&[0, 1, 7]);
     assert_eq!(differing(&elsewhere, &at_once), [1]);
 }
+
+#[test]
+fn each_stop_begins_once() {
+    assert_eq!(along(&[0, 0, 0, 1, 1, 2]).stops(), [0, 3]);
+    assert!(along(&[0, 1, 2]).stops().is_empty());
+}

@@ -174,4 +174,8 @@ fn the_board_stands_still_while_something_is_dragged() {
     let dropped = after(&state, [Action::Board(BoardAction::Release)]);
     assert_eq!(agent(&dropped, 0).start, Cell::new(0, 1));
     assert_eq!(dropped.followed(), Some(0));
+    let nothing = Action::Board(BoardAction::Select(Selection::Nothing));
+    let other = Action::Board(BoardAction::Select(Selection::Agent(1)));
+    let other = after(&dropped, [nothing, other]);
+    assert_eq!(other.followed(), None, "it is not followed unasked");
 }
