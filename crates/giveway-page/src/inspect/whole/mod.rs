@@ -6,12 +6,12 @@ mod tests;
 mod words;
 
 use giveway_model::tr;
-use giveway_model::words::decimal;
+use giveway_model::words::{and, decimal};
 use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
 use crate::words::values;
-use crate::{Answer, Size, State, changing, planners};
+use crate::{Answer, Draft, Size, State, changing, planners};
 
 pub use costs::CostFacts;
 
@@ -84,11 +84,39 @@ pub fn whole(state: &State) -> Whole {
                 cost.at_least = None;
             }
             whole.claims = vec![tr!("This is of the scene before the last edit.").to_owned()];
+            whole
+                .claims
+                .extend(without_path(&state.document.draft, answer));
             whole.work = None;
         }
     }
     whole
 }
+
+/// The robots that a plan of the scene before has no path for here: they are not in the timeline.
+fn without_path(draft: &Draft, answer: &Answer) -> Option<String> {
+    answer.plan()?;
+    let agents = draft.agents().iter().enumerate();
+    let agents = agents.filter(|(index, _)| answer.agent(draft, *index).is_none());
+    let names: Vec<String> = agents.map(|(_, agent)| agent.name.clone()).collect();
+    let shown = names.len().min(NAMES);
+    match (names.len(), &names[..shown]) {
+        (0, _) => None,
+        (all, names) if all > shown => Some(tr!(
+            "{all} robots stand at their starts: it has no paths of theirs that fit, such as of {robots}.",
+            all,
+            robots = and(names)
+        )),
+        (all, names) => Some(tr!(
+            "{robots} stands at its start: it has no path of this robot that fits."
+                | "{robots} stand at their starts: it has no paths of theirs that fit." % all,
+            robots = and(names)
+        )),
+    }
+}
+
+/// How many robots are named that a plan has no path for.
+const NAMES: usize = 8;
 
 /// What is proved of the first cost of all plans of the scene stands beside each plan of it.
 fn bound(whole: &mut Whole, answer: &Answer, least: Option<u32>) {

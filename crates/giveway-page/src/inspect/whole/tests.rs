@@ -4,6 +4,7 @@ use giveway_model::Cost;
 use giveway_solve::Progress;
 
 use super::*;
+use crate::reduce::tests::{after, stroke};
 use crate::{Action, BoardAction, SolveAction, WorkerAction, reduce, sample};
 
 #[test]
@@ -65,5 +66,17 @@ fn a_stale_plan_is_called_one() {
     );
     let state = reduce(&state, Action::Board(BoardAction::Release));
     assert!(state.document.is_stale());
-    assert!(whole(&state).claims[0].contains("before the last edit"));
+    let claims = whole(&state).claims;
+    assert!(claims[0].contains("before the last edit"));
+    assert_eq!(claims.len(), 1, "all paths are free");
+    let answer = state.document.answer.as_ref().unwrap();
+    let goes = |name| answer.plan().unwrap().path(name).iter().flatten();
+    let only = goes("A1").find(|cell| !goes("A2").any(|other| other == *cell));
+    let on_its_path = stroke(
+        crate::Tool::Obstacle,
+        &[only.map(|at| (at.x, at.y)).unwrap()],
+    );
+    let claims = whole(&after(&state, on_its_path)).claims;
+    let without = "A1 stands at its start: it has no path of this robot that fits.";
+    assert_eq!(claims[1], without);
 }
