@@ -98,7 +98,7 @@ pub(super) fn predict(tutor: &Tutor, open: &Open, task: &Predict, reader: Reader
                 { hints(open.hints(), reader) }
                 if !open.hides_answers() {
                     <p class="quiet">
-                        { tr!("Guess as often as you like.") }{ " " }
+                        { tr!("Guess: then the right answer is shown and explained.") }{ " " }
                         <button type="button" class="link" onclick={reader.send.reform(|_: MouseEvent| Msg::Do(Action::Reveal))}>{ tr!("Show me the answer") }</button>
                     </p>
                 }

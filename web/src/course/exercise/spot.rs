@@ -27,6 +27,9 @@ pub(super) fn show(open: &Open, reader: Reader<'_>) -> Html {
             if !marks.is_empty() {
                 <ul class="marks" aria-label={tr!("Marked")}>{ for marks.iter().map(|mark| one(mark, wrong == Some(mark), reader)) }</ul>
             }
+            if marks.is_empty() && open.pointed().is_none() {
+                <p class="quiet">{ tr!("Show the time of a conflict, then press its robots on the board.") }</p>
+            }
             if let Some(pick) = open.pointed() {
                 <p class="pointed">
                     { for pick.robots.iter().map(|name| reader.robot(name)) }

@@ -17,9 +17,7 @@ fn act(action: HandAction) -> Action {
 #[inline(never)]
 pub(super) fn who(state: &State, send: &Callback<Action>) -> Html {
     let is_on = state.inside.by_hand.is_on;
-    // In a lesson the planner's tree comes after one's own.
-    let is_early = state.lesson().is_some() && !by_hand::is_done(state);
-    if is_early && is_on {
+    if is_on && !state.can_show_planners_tree() {
         return html! {};
     }
     let button = |name: &'static str, on: bool| {

@@ -6,7 +6,7 @@ use giveway_solve::plan::{
     ConflictChoice, MOST_SPLITS, NodeFate, ToldBranch, ToldConflict, TreeNode, words,
 };
 
-use super::standing::{Standing, is_open, of};
+use super::standing::{Standing, is_open, is_plan, of};
 use super::steps::StepRow;
 use super::{HandAction, HandRun, TallyRow, done, steps};
 use crate::State;
@@ -136,7 +136,13 @@ fn on_the_way(state: &State, run: &HandRun) -> HandColumn {
     steps.reverse();
     HandColumn {
         title: node.map_or_else(String::new, title),
-        lead: lead(node, chosen),
+        lead: match dearer(run, node) {
+            Some(cost) => tr!(
+                "A plan of {cost} is found already, and this branch costs no less: a split of it proves nothing.",
+                cost
+            ),
+            None => lead(node, chosen),
+        },
         conflicts: rows.collect(),
         more: (more > 0).then(|| {
             tr!("{n} more conflict comes later." | "{n} more conflicts come later." % more)
@@ -179,6 +185,14 @@ fn lead(node: Option<&TreeNode>, chosen: Option<&ConflictChoice>) -> String {
         NodeFate::Open | NodeFate::Best { .. } => tr!("This is a plan. While an open branch costs less, it may not be the best: press that branch in the tree."),
     }
     .to_owned()
+}
+
+/// The cost of a plan that is found already, where an open node costs no less.
+fn dearer(run: &HandRun, node: Option<&TreeNode>) -> Option<u32> {
+    let cost = node.filter(|node| is_open(node))?.cost?;
+    let plans = run.tree.nodes.iter().filter(|node| is_plan(node));
+    let plan = plans.filter_map(|node| node.cost).min()?;
+    (plan <= cost).then_some(plan)
 }
 
 fn row(state: &State, choice: &ConflictChoice, is_on: bool) -> ConflictRow {
@@ -270,7 +284,8 @@ fn onward(state: &State, run: &HandRun, node: Option<&TreeNode>) -> Button {
         let split = InsideAction::Hand(HandAction::Split);
         return Button::new("", tr!("Split here"), can.then_some(split), true);
     }
-    let open = run.tree.nodes.iter().rfind(|node| is_open(node));
+    let open = run.tree.nodes.iter().filter(|node| is_open(node));
+    let open = open.min_by_key(|node| node.cost);
     let go = open.map(|node| InsideAction::Node(node.id));
     Button::new("", tr!("To an open branch"), go, true)
 }

@@ -37,12 +37,14 @@ pub(super) fn column(state: &State, run: &HandRun, cost: u32) -> HandColumn {
     };
     let is_in_lesson = state.lesson().is_some();
     let mut foot = vec![super::column::take_back(run)];
-    foot.push(Button::new(
-        "",
-        tr!("Planner's tree"),
-        Some(InsideAction::Hand(HandAction::Show(false))),
-        !is_in_lesson,
-    ));
+    if state.can_show_planners_tree() {
+        foot.push(Button::new(
+            "",
+            tr!("Planner's tree"),
+            Some(InsideAction::Hand(HandAction::Show(false))),
+            !is_in_lesson,
+        ));
+    }
     if is_in_lesson {
         foot.push(super::column::to_lesson(true));
     }
@@ -52,7 +54,7 @@ pub(super) fn column(state: &State, run: &HandRun, cost: u32) -> HandColumn {
             tint: Tint::Proved,
             word: tr!("the status in a word" => "Proved").to_owned(),
             beside: counted(state, run, cost),
-            text: why(own, cost),
+            text: why(run, own, cost),
         }),
         table: rows(state, own, planner),
         steps: steps::rows(run),
@@ -69,10 +71,12 @@ pub(super) fn column(state: &State, run: &HandRun, cost: u32) -> HandColumn {
     }
 }
 
-/// When the plan came, and what proved it.
-fn why(own: Tally, cost: u32) -> String {
+/// When the plan came, and what proved it: splits of branches that cost less.
+fn why(run: &HandRun, own: Tally, cost: u32) -> String {
     let found = own.first_plan.unwrap_or(own.nodes).saturating_sub(1) / 2;
-    let more = own.splits.saturating_sub(found);
+    let later = run.splits.iter().skip(found as usize);
+    let later = later.filter_map(|made| run.tree.node(made.node)?.cost);
+    let more = later.filter(|&split| split < cost).count();
     match (found, more) {
         (0, _) => {
             tr!("No two robots are in each other's way: each takes its shortest way.").to_owned()

@@ -83,6 +83,13 @@ impl State {
         self.is_by_hand() && self.lesson().is_some() && !self.inside.by_hand.reads
     }
 
+    /// Whether the planner's tree can have the place of a search by hand: in a lesson it comes after
+    /// one's own, and not before the plan that it ends with is shown.
+    pub fn can_show_planners_tree(&self) -> bool {
+        self.lesson()
+            .is_none_or(|lesson| is_done(self) && !lesson.hides_plan())
+    }
+
     /// What the worker told last of the search by hand.
     pub(crate) fn hand_run(&self) -> Option<&HandRun> {
         let told = self.looked()?.by_hand.as_ref()?;

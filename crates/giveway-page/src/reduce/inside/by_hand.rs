@@ -14,6 +14,7 @@ use crate::{State, Tab, Task};
 #[inline(never)]
 pub(super) fn hand(state: &mut State, action: HandAction) {
     match action {
+        HandAction::Show(false) if state.is_by_hand() && !state.can_show_planners_tree() => {}
         HandAction::Show(on) => by_hand(state, on),
         HandAction::Read(on) => {
             state.inside.by_hand.reads = on;
@@ -156,8 +157,8 @@ fn split(state: &mut State) {
     });
 }
 
-/// The node that is looked at after a split: a branch of it that can be split and costs less
-/// than any plan; else the newest such node; else the plan.
+/// The node that is looked at after a split: its cheaper branch that can be split and costs less
+/// than any plan; else the cheapest such node; else the plan.
 fn next(run: &HandRun, split: u64, branches: &[ToldBranch; 2]) -> u64 {
     let made = run.tree.nodes.len() as u64;
     let others = run.tree.nodes.iter().rev().filter(|node| node.id != split);
@@ -165,13 +166,18 @@ fn next(run: &HandRun, split: u64, branches: &[ToldBranch; 2]) -> u64 {
     let others = others.filter_map(|node| Some((node.id, node.cost?, node.conflicts)));
     let own = branches.iter().enumerate();
     let own = own.filter_map(|(place, own)| Some((made + place as u64, own.cost?, own.conflicts)));
-    let all: Vec<(u64, u32, u64)> = own.chain(others).collect();
-    let plans = all.iter().filter(|(.., conflicts)| *conflicts == 0);
+    let own: Vec<(u64, u32, u64)> = own.collect();
+    let others: Vec<(u64, u32, u64)> = others.collect();
+    let plans = own.iter().chain(&others);
+    let plans = plans.filter(|(.., conflicts)| *conflicts == 0);
     let plan = plans.map(|&(id, cost, _)| (cost, id)).min();
-    let mut open = all.iter().filter(|(_, cost, conflicts)| {
-        *conflicts > 0 && plan.is_none_or(|(least, _)| *cost < least)
-    });
-    let open = open.next().map(|(id, ..)| *id);
+    let cheapest = |nodes: &[(u64, u32, u64)]| {
+        let open = nodes.iter().filter(|(_, cost, conflicts)| {
+            *conflicts > 0 && plan.is_none_or(|(least, _)| *cost < least)
+        });
+        open.min_by_key(|(_, cost, _)| *cost).map(|(id, ..)| *id)
+    };
+    let open = cheapest(&own).or_else(|| cheapest(&others));
     open.or(plan.map(|(_, id)| id)).unwrap_or(split)
 }
 
@@ -187,12 +193,29 @@ fn take_back(state: &mut State) {
 
 /// Splits again what was taken back last.
 fn again(state: &mut State) {
+    let next = state
+        .inside
+        .by_hand
+        .taken_back
+        .last()
+        .and_then(|last| after_again(state, last));
     look(state, |own| {
         if let Some(last) = own.taken_back.pop() {
             // Its branches are the last two nodes.
-            own.node = 2 * own.splits.len() as u64 + 1;
+            own.node = next.unwrap_or(2 * own.splits.len() as u64 + 1);
             (own.conflict, own.robot) = (0, 0);
             own.splits.push(last);
         }
     });
+}
+
+/// The node that is looked at when a split is made again; `None` where its branches are not told.
+fn after_again(state: &State, split: &HandSplit) -> Option<u64> {
+    let run = state
+        .hand_now()
+        .filter(|run| run.asked.node == split.node)?;
+    let choice = run.choice(split.conflict as usize)?;
+    let parties = words::parties(&choice.conflict).iter();
+    let robot = parties.into_iter().position(|name| *name == split.agent)?;
+    Some(next(run, split.node, choice.branches.get(robot)?))
 }
