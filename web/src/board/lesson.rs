@@ -15,17 +15,25 @@ pub(super) fn marks(state: &State) -> Html {
     html! {
         <g class="lesson-marks" aria-hidden="true">
             if let Some(cell) = state.named_cell() { { square("named", cell, 3) } }
-            { for lesson.sealed.iter().map(|&cell| seal(cell)) }
+            { for lesson.sealed.iter().map(|&cell| seal(state, cell)) }
         </g>
     }
 }
 
-fn seal(cell: Cell) -> Html {
-    let (x, y) = (cell.x * 100 + 50, cell.y * 100 + 50);
+/// In the middle of an obstacle; in the corner of a cell where robots pass.
+fn seal(state: &State, cell: Cell) -> Html {
+    let (aside, scale) = if state.world().grid().is_vertex(cell) {
+        (82, 0.45)
+    } else {
+        (50, 1.0)
+    };
+    let (x, y) = (cell.x * 100 + aside, cell.y * 100 + aside);
     html! {
-        <g class="seal" transform={format!("translate({x} {y})")}>
-            <circle r="34" />
-            <path d="M-13 1 -4 10 14-9" />
+        <g transform={format!("translate({x} {y}) scale({scale})")}>
+            <g class="seal">
+                <circle r="34" />
+                <path d="M-13 1 -4 10 14-9" />
+            </g>
         </g>
     }
 }

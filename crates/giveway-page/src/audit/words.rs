@@ -15,7 +15,7 @@ pub(crate) fn badge(audit: &Audit) -> Badge {
     }
 }
 
-/// `paths.txt breaks 3 rules. As it stands it would cost 79.`
+/// `paths.txt breaks rules 3 times. As it stands it would cost 79.`
 pub(crate) fn sentence(audit: &Audit) -> String {
     let (plan, file) = (&audit.plan, &audit.plan.file.file);
     let objective = audit.objective();
@@ -36,9 +36,9 @@ pub(crate) fn sentence(audit: &Audit) -> String {
             ),
         }
     });
-    let rules = plan.violations.len();
+    let times = plan.violations.len();
     tr!(
-        "{file} breaks {n} rule.{cost}" | "{file} breaks {n} rules.{cost}" % rules,
+        "{file} breaks a rule once.{cost}" | "{file} breaks rules {n} times.{cost}" % times,
         file,
         cost
     )

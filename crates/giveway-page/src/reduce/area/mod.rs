@@ -1,13 +1,14 @@
 //! A selected part of the floor: framed by hand or keys, and what is done with it.
 
 mod made;
+mod paste;
 
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use giveway_model::{Cell, tr_data};
 
-use super::{ask, stroke};
+use super::stroke;
 use crate::area::{Area, AreaAction, Clip, Doing, Frame, Hand, Holds, Repeat, Way, frame};
 use crate::edit::AreaEdit;
 use crate::gesture::Gesture;
@@ -48,7 +49,7 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
                 )));
             }
         }
-        AreaAction::Paste => paste(state),
+        AreaAction::Paste => paste::paste(state),
         AreaAction::Mirror(across) => {
             turn(state, |area| Way::mirror(frame(&area.cells), across));
         }
@@ -88,13 +89,7 @@ pub(super) fn area(state: &mut State, action: AreaAction) {
                 make(state, &[Edit::Area(AreaEdit::Erase(area.cells))]);
             }
         }
-        AreaAction::Make => {
-            let ghost = state.view.area.clone();
-            let ghost = ghost.filter(|area| matches!(area.doing, Doing::Pastes(_)));
-            keep(state);
-            // What cannot be pasted here stays in the hand.
-            state.view.area = state.view.area.take().or(ghost);
-        }
+        AreaAction::Make => paste::make(state),
         AreaAction::Drop => match state.view.area.take() {
             Some(area) if area.has_ghost() && !matches!(area.doing, Doing::Pastes(_)) => {
                 state.view.area = Some(without_ghost(area));
@@ -225,26 +220,6 @@ fn nudge(state: &mut State, (right, down): (i32, i32)) {
     state.view.area = Some(area.moved(by, state.document.draft.grid()));
 }
 
-fn paste(state: &mut State) {
-    let Some(clip) = state.view.clip.clone() else {
-        return;
-    };
-    stroke::release(state);
-    keep(state);
-    let grid = state.document.draft.grid();
-    let [x0, y0, x1, y1] = frame(&clip.cells);
-    if x1 - x0 >= grid.width() || y1 - y0 >= grid.height() {
-        let why = tr_data!(
-            "What was copied, {width} \u{d7} {height} cells, is larger than the floor.",
-            width = x1 - x0 + 1,
-            height = y1 - y0 + 1
-        );
-        return ask::refuse(state, why);
-    }
-    let pasted = Area::pasted(&clip, state.view.cursor, grid);
-    select(state, Some(pasted));
-}
-
 fn select(state: &mut State, area: Option<Area>) {
     super::board::select(state, Selection::Nothing);
     state.view.area = area;
@@ -280,18 +255,10 @@ fn without_ghost(area: Area) -> Area {
 }
 
 /// Moves what is on the area within its frame; what is being pasted turns before it is made.
-fn turn(state: &mut State, way: impl FnOnce(&Area) -> Way) {
+fn turn(state: &mut State, way: impl Fn(&Area) -> Way) {
     stroke::release(state);
-    if let Some(area) = state.view.area.clone()
-        && let Doing::Pastes(clip) = &area.doing
-    {
-        let clip = Rc::new(clip.turned(way(&area)));
-        let turned = Area {
-            cells: Rc::clone(&clip.cells),
-            by: (0, 0),
-            doing: Doing::Pastes(clip),
-        };
-        state.view.area = Some(turned.moved(area.by, state.document.draft.grid()));
+    if let Some(turned) = paste::turned(state, &way) {
+        state.view.area = Some(turned);
         return;
     }
     let Some(area) = standing(state) else { return };

@@ -20,7 +20,7 @@ fn an_illegal_plan_is_shown_and_told() {
     let state = dropped(&fresh(), &[("hall.json", SCENE), ("paths.json", MEETING)]);
     assert_eq!(
         words::standing(&state).sentence,
-        "paths.json breaks 1 rule. As it stands it would cost 4."
+        "paths.json breaks a rule once. As it stands it would cost 4."
     );
     let told = facts(&state).unwrap();
     assert_eq!(told.verdict.word, "Not legal");

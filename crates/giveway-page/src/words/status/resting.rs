@@ -27,7 +27,16 @@ pub(super) fn resting(state: &State) -> Standing {
         return say(Badge::Faulty, fault);
     }
     let Some(answer) = &state.document.answer else {
-        return say(Badge::Draft, tr!("No plan yet.").to_owned());
+        // A lesson has judged what was painted.
+        let is_judged = state
+            .lesson()
+            .is_some_and(|lesson| !lesson.sealed.is_empty());
+        let none = if is_judged {
+            tr!("What comes of it is told in the lesson.")
+        } else {
+            tr!("No plan yet.")
+        };
+        return say(Badge::Draft, none.to_owned());
     };
     if state.document.is_stale() {
         if let Some(broken) = rules::outdated(state) {
