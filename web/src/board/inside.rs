@@ -90,23 +90,13 @@ impl Label {
         x.min(self.right - half).max(half)
     }
 
-    /// The same beside a star that it would cover, on its right where there is room.
-    fn beside(self, (x, y): (f64, f64), width: f64, stars: &[Star]) -> f64 {
-        let half = width * self.scale / 2.0;
-        let high = HALF_BAN * self.scale;
-        let covers = |star: &&Star| {
-            let (across, down) = (star.at.0 - x, star.at.1 - y);
-            across.abs() < half + star.radius && down.abs() < high + star.radius
-        };
-        let Some(star) = stars.iter().find(covers) else {
-            return self.on_map(x, width);
-        };
-        let aside = half + star.radius;
-        if star.at.0 + aside + half < self.right {
-            star.at.0 + aside
-        } else {
-            self.on_map(star.at.0 - aside, width)
-        }
+    /// The same beside a star that would cover it.
+    fn beside(self, at: (f64, f64), width: f64, stars: &[Star]) -> f64 {
+        let half = (width * self.scale / 2.0, HALF_BAN * self.scale);
+        let mut aside = stars
+            .iter()
+            .filter_map(|star| star.aside(at, half, self.right));
+        self.on_map(aside.next().unwrap_or(at.0), width)
     }
 }
 

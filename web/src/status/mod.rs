@@ -77,14 +77,14 @@ pub(crate) fn StatusBar(props: &StatusBarProps) -> Html {
     }
 }
 
-/// How many letters of the sentence are in large letters.
+/// How many bytes of the sentence are in large letters.
 const LONG: usize = 84;
 
 /// The status sentence with its badge: seen, and read aloud.
 pub(crate) fn sentence(state: &State) -> Html {
     let standing = words::standing(state);
     let badge = standing.badge;
-    let is_long = standing.beside_badge().chars().count() > LONG;
+    let is_long = standing.beside_badge().len() > LONG;
     html! {
         <>
             <p class="status-line" aria-hidden="true">

@@ -75,6 +75,20 @@ impl ConflictPlace {
     }
 }
 
+impl Star {
+    /// How far right the middle of a label stands that this star would cover: beside the star, on its
+    /// right where the map goes on there. `None` where it covers nothing of it. All in units; `half` of
+    /// the width and of the height.
+    pub fn aside(self, (x, y): (f64, f64), (half, high): (f64, f64), map_ends: f64) -> Option<f64> {
+        let away = half + self.radius;
+        let (across, down) = (self.at.0 - x, self.at.1 - y);
+        let covers = across.abs() < away && down.abs() < high + self.radius;
+        let right = self.at.0 + away;
+        let is_room = right + half < map_ends;
+        covers.then(|| if is_room { right } else { self.at.0 - away })
+    }
+}
+
 /// The middle of a cell, in units.
 pub(crate) fn middle(cell: Cell) -> (f64, f64) {
     let middle = |n: u32| (f64::from(n.cast_signed()) + 0.5) * CELL;
@@ -106,6 +120,20 @@ mod tests {
                 assert!(star.at.0 > 0.0 && star.at.1 > 0.0, "on the map");
             }
         }
+    }
+
+    #[test]
+    fn a_label_stands_beside_a_star_that_would_cover_it() {
+        let star = Star {
+            at: (216.0, 116.0),
+            radius: 24.0,
+        };
+        let half = (50.0, 14.0);
+        assert_eq!(star.aside((250.0, 109.0), half, 600.0), Some(290.0));
+        assert_eq!(star.aside((250.0, 109.0), half, 300.0), Some(142.0));
+        assert_eq!(star.aside((250.0, 200.0), half, 600.0), None);
+        let moved = star.aside((250.0, 109.0), half, 600.0).unwrap();
+        assert_eq!(star.aside((moved, 109.0), half, 600.0), None);
     }
 
     #[test]
