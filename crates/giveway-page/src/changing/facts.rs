@@ -1,15 +1,15 @@
 //! What is listed, and what has changed before, in words.
 
 use giveway_model::change::{ConstraintRef, What};
-use giveway_model::{Cell, Constraint, Fault, Plan, tr};
+use giveway_model::{Constraint, Fault, tr};
 
 use super::Changing;
 use super::breakdown::{Breakdown, breakdowns};
+use super::entries::{Entry, entries, in_words};
 use super::listed::whose;
 use super::meets::meets;
-use super::stopped::obstacle_of;
 use crate::course::Course;
-use crate::words::{at, change};
+use crate::words::change;
 use crate::{Answer, State};
 
 /// What the inspector tells while the world changes.
@@ -69,7 +69,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         at: changing.at,
         text: match changing.list.as_slice() {
             [] => tr!("Nothing is listed yet").to_owned(),
-            list => texts(changing.about.plan(), list, changing.at),
+            list => in_words(changing.about.plan(), list, changing.at),
         },
         detail: Some(match compared {
             None => tr!("no answers yet").to_owned(),
@@ -102,46 +102,31 @@ pub fn facts(state: &State) -> Option<Facts> {
     })
 }
 
-/// How many changes are listed, as they are told: a robot that breaks down for good is one with the
-/// obstacle that it becomes.
+/// How many changes are listed, as they are told.
 pub(crate) fn count(changing: &Changing) -> usize {
-    let plan = changing.about.plan();
-    let all = 0..changing.list.len();
-    let taken =
-        all.filter(|&index| obstacle_of(plan, &changing.list, changing.at, index).is_some());
-    changing.list.len() - taken.count()
+    entries(changing.about.plan(), &changing.list, changing.at).len()
 }
 
-/// What is listed; a robot that breaks down for good and the obstacle that it becomes are one.
+/// What is listed.
 fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
-    let plan = changing.about.plan();
-    let stops = |index: usize| obstacle_of(plan, &changing.list, changing.at, index);
-    let whats = || changing.list.iter().enumerate();
-    let taken: Vec<usize> = whats()
-        .filter_map(|(index, _)| stops(index))
-        .map(|stop| stop.0)
-        .collect();
-    let shown = whats().filter(|(index, _)| !taken.contains(index));
-    let one = |(index, what): (usize, &What)| {
-        let listed = listed(changing, index, what, rules);
-        match (stops(index), whose(what)) {
-            (Some((_, cell)), Some(agent)) => Listed {
-                text: for_good(agent, cell),
+    let entries = entries(changing.about.plan(), &changing.list, changing.at);
+    let row = |entry: Entry| {
+        let index = *entry.changes.first()?;
+        let listed = listed(changing, index, changing.list.get(index)?, rules);
+        Some(match (entry.stays, entry.changes.len()) {
+            (Some(_), _) => Listed {
+                text: entry.text,
                 detail: Some(tr!("it stays there as an obstacle").to_owned()),
                 ..listed
             },
-            _ => listed,
-        }
+            (None, 1) => listed,
+            (None, _) => Listed {
+                text: entry.text,
+                ..listed
+            },
+        })
     };
-    shown.map(one).collect()
-}
-
-fn for_good(agent: &str, cell: Cell) -> String {
-    tr!(
-        "{agent} breaks down for good at {cell}",
-        agent,
-        cell = at(cell)
-    )
+    entries.into_iter().filter_map(row).collect()
 }
 
 fn listed(changing: &Changing, index: usize, what: &What, rules: &[Constraint]) -> Listed {
@@ -195,7 +180,7 @@ pub fn history(answer: &Answer) -> Vec<Past> {
         let method = change::methods_in_words(step);
         past.push(Past {
             at: step.at,
-            text: texts(answer.plan(), &changes_of(course, step.at), step.at),
+            text: in_words(answer.plan(), &changes_of(course, step.at), step.at),
             detail: match (method, costs(step.after)) {
                 (Some(method), Some(costs)) => Some(format!("{method}: {costs}")),
                 (method, costs) => method.or(costs),
@@ -211,25 +196,6 @@ fn changes_of(course: &Course, at: u32) -> Vec<What> {
         .filter(|change| change.at == at)
         .map(|change| change.what.clone())
         .collect()
-}
-
-/// The first of the changes of a time in words, and how many more there are. A robot that breaks
-/// down for good is one with the obstacle that it becomes.
-pub(crate) fn texts(plan: Option<&Plan>, list: &[What], at: u32) -> String {
-    let stops = |index: usize| obstacle_of(plan, list, at, index);
-    let indices = 0..list.len();
-    let taken: Vec<usize> = indices.filter_map(|index| Some(stops(index)?.0)).collect();
-    let shown = list.iter().enumerate();
-    let mut shown = shown.filter(|(index, _)| !taken.contains(index));
-    let in_words = |(index, what): (usize, &What)| match (stops(index), whose(what)) {
-        (Some((_, cell)), Some(agent)) => for_good(agent, cell),
-        _ => what.sentence().0,
-    };
-    let first = shown.next().map(in_words).unwrap_or_default();
-    match shown.count() {
-        0 => first,
-        more => tr!("{first}, and {more} more", first, more),
-    }
 }
 
 /// Why a change is refused, as a sentence.

@@ -4,7 +4,7 @@ use giveway_model::Battery;
 use giveway_model::change::What;
 use giveway_model::words::Sentence;
 
-use super::stopped::obstacle_of;
+use super::entries::entries;
 use super::{Changing, facts, listed};
 use crate::edit::{Edit, world};
 
@@ -79,7 +79,7 @@ impl Changing {
         Some(list)
     }
 
-    /// The list without one change, and without those that then contradict the
+    /// The list without one entry, which begins with a change, and without those that then contradict the
     /// world; with the number of these.
     pub(crate) fn without(&self, index: usize) -> (Self, usize) {
         let mut after = match self.with(Vec::new()) {
@@ -87,9 +87,11 @@ impl Changing {
             Err(_) => self.clone(),
         };
         let mut lost = 0;
-        // A robot that breaks down for good takes its obstacle along.
-        let obstacle = obstacle_of(self.about.plan(), &self.list, self.at, index);
-        let obstacle = obstacle.map(|(index, _)| index);
+        let entries = entries(self.about.plan(), &self.list, self.at);
+        let own = entries
+            .iter()
+            .find(|entry| entry.changes.first() == Some(&index));
+        let own = own.map_or(&[][..], |entry| entry.changes.as_slice());
         let taken = self.list.get(index);
         let joins = match taken {
             Some(What::AddAgent { agent }) => Some(agent.name.as_str()),
@@ -97,7 +99,7 @@ impl Changing {
         };
         for (other, what) in self.list.iter().enumerate() {
             let goes = joins.is_some() && listed::whose(what) == joins;
-            if other == index || Some(other) == obstacle || goes {
+            if other == index || own.contains(&other) || goes {
                 continue;
             }
             let mut list = after.list.clone();

@@ -7,6 +7,7 @@
 mod breakdown;
 mod columns;
 mod compared;
+mod entries;
 mod facts;
 mod list;
 mod listed;
@@ -28,8 +29,9 @@ use crate::{Answer, Draft, Settings, State};
 pub use breakdown::{Blank, Breakdown, Filled, Piece};
 pub use columns::{Column, CostChange, Fix, Group, columns, fixes};
 pub use compared::{Comparing, Tried};
+pub(crate) use entries::in_words;
+pub(crate) use facts::count;
 pub use facts::{Facts, Listed, Past, facts, fate, history};
-pub(crate) use facts::{count, texts};
 pub(crate) use meets::inside;
 pub use offers::{Offers, offers};
 pub use stopped::Stopped;

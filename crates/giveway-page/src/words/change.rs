@@ -5,7 +5,7 @@ use giveway_model::words::and;
 use giveway_solve::change::Method;
 
 use super::costs::values;
-use crate::changing::{Changing, Comparing, Tried, count, texts};
+use crate::changing::{Changing, Comparing, Tried, count, in_words};
 use crate::course::Adopted;
 use crate::timeline::work_done;
 use crate::{Adapting, Answer};
@@ -59,7 +59,7 @@ pub(super) fn changing(changing: &Changing) -> String {
 /// What happens at the time at which the world changes.
 pub(super) fn happening(changing: &Changing) -> String {
     let at = changing.at;
-    let what = texts(changing.about.plan(), &changing.list, at);
+    let what = in_words(changing.about.plan(), &changing.list, at);
     tr!("At time {at}: {what}.", at, what)
 }
 

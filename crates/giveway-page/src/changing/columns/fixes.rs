@@ -4,6 +4,7 @@ use giveway_model::tr;
 use giveway_solve::Status;
 
 use crate::State;
+use crate::changing::entries::entries;
 use crate::changing::{Choice, Tried, WIDEST};
 
 /// What can be tried where no method has a plan.
@@ -52,7 +53,8 @@ pub fn fixes(state: &State) -> Vec<Fix> {
             ));
         }
     }
-    let listed = changing.list.iter().enumerate();
-    fixes.extend(listed.map(|(index, what)| Fix::TakeBack(index, what.sentence().0)));
+    let listed = entries(changing.about.plan(), &changing.list, changing.at).into_iter();
+    let listed = listed.filter_map(|entry| Some((*entry.changes.first()?, entry.text)));
+    fixes.extend(listed.map(|(index, text)| Fix::TakeBack(index, text)));
     fixes
 }

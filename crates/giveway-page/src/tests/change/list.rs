@@ -31,13 +31,15 @@ fn the_world_can_change_only_while_a_plan_runs() {
 #[test]
 fn every_tool_lists_a_change() {
     let state = after(&changing(), stroke(Tool::Obstacle, &[(0, 2), (1, 2)]));
-    let appear = ["New obstacle at (0, 2)", "New obstacle at (1, 2)"];
-    assert_eq!(list(&state), appear);
+    let both = ["New obstacle at (0, 2), and 1 more"];
+    assert_eq!(list(&state), both, "a stroke is one entry");
+    assert!(saying(&state).ends_with(": 1 change listed."));
+    let back = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
+    assert_eq!(list(&back), [""; 0], "and is taken back as one");
     let state = after(&state, stroke(Tool::Select, &[(1, 2), (0, 0)]));
-    let moved = ["New obstacle at (0, 2)", "New obstacle at (0, 0)"];
-    assert_eq!(list(&state), moved);
+    assert_eq!(list(&state), both);
     let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
-    assert_eq!(list(&state), appear[..1]);
+    assert_eq!(list(&state), ["New obstacle at (0, 2)"]);
     let state = after(&state, stroke(Tool::Charger, &[(1, 1)]));
     let state = after(&state, stroke(Tool::SlowZone, &[(0, 1), (1, 1)]));
     let slow = facts(&state).unwrap().list.pop().unwrap();

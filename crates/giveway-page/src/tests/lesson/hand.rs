@@ -26,8 +26,9 @@ fn an_edit_is_told_once_when_the_stroke_ends_and_is_taken_back() {
     let sealed = say(&edited, ToPage::Seal(vec![at(1, 0)]));
     assert_eq!(sealed.lesson().unwrap().sealed, [at(1, 0)]);
     let said = |state: &State| crate::words::standing(state).sentence;
-    assert_eq!(said(&edited), "No plan yet.");
-    assert_eq!(said(&sealed), "What comes of it is told in the lesson.");
+    assert_eq!(said(&lesson), "No plan yet.");
+    let judged = say(&lesson, ToPage::Seal(vec![at(1, 0)]));
+    assert_eq!(said(&judged), "What comes of it is told in the lesson.");
     let action = Action::Lesson(super::says(ToPage::TakeBack));
     let (back, said) = heard(&sealed, [action]);
     assert_eq!(said, [told(7, Happened::Board(Box::new(scene())))]);
