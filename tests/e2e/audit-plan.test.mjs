@@ -34,7 +34,7 @@ describe("a plan of elsewhere", () => {
   for (const look of LOOKS) {
     flow(`that is not legal is told with every broken rule (${look.theme})`, async (playground) => {
       await drop(playground, ...WRONG);
-      await playground.says(/^paths\.json breaks \d+ rules\. As it stands it would cost 78\.$/);
+      await playground.says(/^paths\.json breaks rules \d+ times\. As it stands it would cost 78\.$/);
       await tells(playground, /every legal plan costs at least 84\. So it had to break a rule\./);
       const rows = playground.inspector.getByRole("button", { name: /, go to time \d+$/ });
       await rows.nth(1).click();

@@ -112,12 +112,12 @@ fn column(
             if !facts.costs.is_empty() {
                 <dl class="big">{ for facts.costs.iter().take(2).map(cost) }</dl>
             }
-            // What the costs are of stands right below them.
-            if has_plan {
-                { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
-            }
+            { for facts.counted.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
             if !facts.groups.is_empty() {
                 <dl class="grp">{ for facts.groups.iter().map(group) }</dl>
+            }
+            if has_plan {
+                { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
             }
             <footer>
                 if has_plan {

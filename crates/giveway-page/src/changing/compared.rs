@@ -96,7 +96,7 @@ impl Comparing {
 }
 
 /// The costs by which methods are compared: the makespan always first.
-fn objective(changing: &Changing) -> Vec<Cost> {
+pub(super) fn objective(changing: &Changing) -> Vec<Cost> {
     let request = &changing.about.request;
     let asked = request.objective.as_ref();
     let objective = asked.unwrap_or(&request.scene.objective);

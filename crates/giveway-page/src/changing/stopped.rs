@@ -84,6 +84,7 @@ pub(crate) fn stopped_in_words(n: usize) -> String {
 }
 
 /// When and where an agent of a plan that went on broke down for good.
+#[inline(never)]
 pub(crate) fn stopped(answer: &Answer, agent: &str) -> Option<(u32, Cell)> {
     past(answer).find_map(|(at, list)| {
         let is_it = |what: &What| matches!(what, What::RemoveAgent { agent: own } if own == agent);

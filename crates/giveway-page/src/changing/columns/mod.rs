@@ -10,6 +10,7 @@ use giveway_model::words::{Later, and};
 use giveway_model::{Cost, Costs, tr, tr_later};
 use giveway_solve::change::{Method, MethodAnswer};
 
+use super::compared::objective;
 use super::{Changing, Tried};
 use crate::words::{change, title};
 use crate::{Answer, State};
@@ -37,6 +38,8 @@ pub struct Column {
     pub board: Later,
     /// The costs, those of the objective; empty without a plan.
     pub costs: Vec<CostChange>,
+    /// Whom the costs count, where that is not as before; empty without a plan.
+    pub counted: Vec<String>,
     /// What became of the agents; empty without a plan.
     pub groups: Vec<Group>,
     /// What else there is to say.
@@ -112,10 +115,12 @@ pub fn columns(state: &State) -> Option<Vec<Column>> {
             } else {
                 Vec::new()
             },
-            notes: notes(tried)
+            counted: [left_out(changing), joined(changing)]
                 .into_iter()
-                .chain(left_out(changing).filter(|_| has_plan))
+                .flatten()
+                .filter(|_| has_plan)
                 .collect(),
+            notes: notes(tried),
             time: time(told.result.stats.cpu_seconds),
         }
     };
@@ -166,15 +171,8 @@ const fn board(method: Method) -> Later {
 
 /// The makespan, then what the objective has else.
 fn cost_changes(changing: &Changing, before: Option<Costs>, after: &Costs) -> Vec<CostChange> {
-    let request = &changing.about.request;
-    let objective = request
-        .objective
-        .as_ref()
-        .unwrap_or(&request.scene.objective);
-    let others = objective.costs().iter().copied();
-    let others = others.filter(|&cost| cost != Cost::Makespan);
-    let costs = [Cost::Makespan].into_iter().chain(others);
-    costs
+    objective(changing)
+        .into_iter()
         .map(|cost| CostChange {
             title: title(cost),
             before: before.map(|costs| costs.get(cost)),
@@ -205,6 +203,25 @@ fn gone(changing: &Changing) -> Vec<String> {
         | What::RemoveConstraint { .. } => None,
     });
     gone.collect()
+}
+
+/// That the sum of costs counts a robot that joins as all others.
+fn joined(changing: &Changing) -> Option<String> {
+    if !objective(changing).contains(&Cost::SumOfCosts) {
+        return None;
+    }
+    let mut names = Vec::new();
+    for what in &changing.list {
+        if let What::AddAgent { agent } = what {
+            names.push(agent.name.clone());
+        }
+    }
+    (!names.is_empty()).then(|| {
+        tr!(
+            "The sum counts {robots} from time 0 on.",
+            robots = and(&names)
+        )
+    })
 }
 
 /// That the costs of a plan are those of the robots that are left.

@@ -138,7 +138,7 @@ fn on_the_way(state: &State, run: &HandRun) -> HandColumn {
         title: node.map_or_else(String::new, title),
         lead: match dearer(run, node) {
             Some(cost) => tr!(
-                "A plan of {cost} is found already, and this branch costs no less: a split of it proves nothing.",
+                "A plan of {cost} is found: a split of this branch, which costs no less, proves nothing.",
                 cost
             ),
             None => lead(node, chosen),

@@ -6,7 +6,7 @@ mod tests;
 mod words;
 
 use giveway_model::tr;
-use giveway_model::words::{and, decimal};
+use giveway_model::words::decimal;
 use giveway_solve::{Status, words::reach_of_bounds};
 
 use crate::timeline::work_done;
@@ -98,25 +98,17 @@ fn without_path(draft: &Draft, answer: &Answer) -> Option<String> {
     answer.plan()?;
     let agents = draft.agents().iter().enumerate();
     let agents = agents.filter(|(index, _)| answer.agent(draft, *index).is_none());
-    let names: Vec<String> = agents.map(|(_, agent)| agent.name.clone()).collect();
-    let shown = names.len().min(NAMES);
-    match (names.len(), &names[..shown]) {
-        (0, _) => None,
-        (all, names) if all > shown => Some(tr!(
-            "{all} robots stand at their starts: it has no paths of theirs that fit, such as of {robots}.",
-            all,
-            robots = and(names)
-        )),
-        (all, names) => Some(tr!(
-            "{robots} stands at its start: it has no path of this robot that fits."
-                | "{robots} stand at their starts: it has no paths of theirs that fit." % all,
-            robots = and(names)
-        )),
+    let mut names: Vec<String> = agents.map(|(_, agent)| agent.name.clone()).collect();
+    if names.len() > NAMES {
+        names.truncate(NAMES);
+        names.push("\u{2026}".to_owned());
     }
+    let robots = names.join(", ");
+    (!names.is_empty()).then(|| tr!("Without a path that fits: {robots}.", robots))
 }
 
 /// How many robots are named that a plan has no path for.
-const NAMES: usize = 8;
+const NAMES: usize = 12;
 
 /// What is proved of the first cost of all plans of the scene stands beside each plan of it.
 fn bound(whole: &mut Whole, answer: &Answer, least: Option<u32>) {

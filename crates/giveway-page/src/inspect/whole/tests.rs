@@ -77,6 +77,5 @@ fn a_stale_plan_is_called_one() {
         &[only.map(|at| (at.x, at.y)).unwrap()],
     );
     let claims = whole(&after(&state, on_its_path)).claims;
-    let without = "A1 stands at its start: it has no path of this robot that fits.";
-    assert_eq!(claims[1], without);
+    assert_eq!(claims[1], "Without a path that fits: A1.");
 }

@@ -111,12 +111,9 @@ fn begin_at(state: &mut State, level: u32) {
     let agents = state.document.draft.agents();
     let chosen = selected(state).into_iter();
     let mut chosen = chosen.filter_map(|index| agents.get(index));
-    let cannot = chosen.find_map(|agent| match agent.battery {
-        None => Some((agent.name.clone(), None)),
-        Some(battery) if battery.capacity < level => {
-            Some((agent.name.clone(), Some(battery.capacity)))
-        }
-        Some(_) => None,
+    let cannot = chosen.find_map(|agent| {
+        let capacity = agent.battery.map_or(0, |battery| battery.capacity);
+        (capacity < level).then(|| (agent.name.clone(), capacity))
     });
     match cannot {
         None => change_selected(state, |agent| {
@@ -124,19 +121,9 @@ fn begin_at(state: &mut State, level: u32) {
                 battery.initial = level;
             }
         }),
-        Some((name, None)) => {
-            ask::refuse(
-                state,
-                tr_data!("{name} has no battery. Nothing was changed.", name),
-            );
-        }
-        Some((name, Some(capacity))) => ask::refuse(
+        Some((name, capacity)) => ask::refuse(
             state,
-            tr_data!(
-                "The battery of {name} holds {capacity}. Nothing was changed.",
-                name,
-                capacity
-            ),
+            tr_data!("The battery of {name} holds {capacity}.", name, capacity),
         ),
     }
 }

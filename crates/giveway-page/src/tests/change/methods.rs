@@ -35,6 +35,8 @@ fn the_methods_answer_side_by_side() {
     assert_eq!(replan.costs[0].difference().as_deref(), Some("same"));
     assert!(replan.is_least);
     assert_eq!(replan.groups[3].agents, [(2, "A3".to_owned())]);
+    let note = "The sum counts A3 from time 0 on.";
+    assert_eq!(replan.counted, [note]);
     let chosen = columns.iter().position(|column| column.is_chosen);
     assert_eq!(chosen, Some(0), "the closest of the best");
     let said = saying(&state);

@@ -93,11 +93,8 @@ impl Shapes {
         for step in joined(lane.steps.iter().filter(drawn), axis) {
             shapes.add(&step, axis, row);
         }
-        if let Some((at, cell)) = lane.stopped {
-            let rest = after_stop(lane, at, cell, axis.times.saturating_sub(1));
-            for step in joined(rest.iter().filter(drawn), axis) {
-                shapes.add(&step, axis, row);
-            }
+        if let Some(stopped) = lane.stopped {
+            shapes.add_stop(lane, stopped, (axis, row), seen);
         }
         let is_seen = |time: &u32| seen.contains(time);
         let x = |time: u32| axis.x(f64::from(time));
@@ -233,6 +230,21 @@ impl Shapes {
                     let _ = write!(self.pauses, "M{} {}v6", px(x), px(row.middle() - 3.0));
                 }
             }
+        }
+    }
+
+    #[inline(never)]
+    fn add_stop(
+        &mut self,
+        lane: &Lane,
+        (at, cell): (u32, Cell),
+        (axis, row): (Axis, Row),
+        seen: &Range<u32>,
+    ) {
+        let rest = after_stop(lane, at, cell, axis.times.saturating_sub(1));
+        let drawn = |step: &&Step| step.ends >= seen.start && step.begins < seen.end;
+        for step in joined(rest.iter().filter(drawn), axis) {
+            self.add(&step, axis, row);
         }
     }
 
