@@ -113,12 +113,7 @@ fn column(
                 <dl class="big">{ for facts.costs.iter().take(2).map(cost) }</dl>
             }
             { for facts.counted.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
-            if !facts.groups.is_empty() {
-                <dl class="grp">{ for facts.groups.iter().map(group) }</dl>
-            }
-            if has_plan {
-                { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
-            }
+            // The way on is in sight, however much there is to tell of the robots.
             <footer>
                 if has_plan {
                     <button type="button" class={classes!("btn", if facts.is_chosen { "primary" } else { "outline" })} onclick={adopt}>
@@ -130,6 +125,12 @@ fn column(
                 }
                 <span class="ms">{ icon::show("clock") }{ facts.time.clone() }</span>
             </footer>
+            if !facts.groups.is_empty() {
+                <dl class="grp">{ for facts.groups.iter().map(group) }</dl>
+            }
+            if has_plan {
+                { for facts.notes.iter().map(|note| html! { <p class="note">{ note.clone() }</p> }) }
+            }
         </article>
     }
 }
