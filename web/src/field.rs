@@ -193,7 +193,7 @@ fn use_selected_by_press() -> [Callback<MouseEvent>; 2] {
         let comes = Rc::clone(&comes);
         Callback::from(move |event: MouseEvent| {
             let input: HtmlInputElement = event.target_unchecked_into();
-            *comes.borrow_mut() = !input.matches(":focus").unwrap_or_default();
+            comes.replace(!input.matches(":focus").unwrap_or_default());
         })
     };
     let released = Callback::from(move |event: MouseEvent| {

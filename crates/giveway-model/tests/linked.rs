@@ -1,5 +1,7 @@
 //! A scene that has all that a scene can have is the same after a link.
 
+#![allow(clippy::unwrap_used, reason = "a test stops at the first surprise")]
+
 use std::collections::BTreeSet;
 
 use giveway_model::format::link::scene::{PARTS, read, write};

@@ -14,6 +14,30 @@ use crate::board::STAR;
 use crate::glyph;
 use crate::same::Same;
 
+/// What a lane tells of its robot at a time, behind the name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum LaneLabel {
+    /// Nothing.
+    Plain,
+    /// The battery's level.
+    Level(u32),
+    /// It has broken down for good.
+    BrokenDown,
+}
+
+impl LaneLabel {
+    /// Of a lane at a time.
+    pub(super) fn of(lane: Option<&Lane>, time: u32) -> Self {
+        let Some(lane) = lane else {
+            return Self::Plain;
+        };
+        if lane.stopped.is_some_and(|(from, _)| from <= time) {
+            return Self::BrokenDown;
+        }
+        lane.level_at(time).map_or(Self::Plain, Self::Level)
+    }
+}
+
 #[derive(Clone, PartialEq, Properties)]
 pub(super) struct LaneRowProps {
     pub lanes: Same<Vec<Lane>>,
@@ -27,10 +51,8 @@ pub(super) struct LaneRowProps {
     pub row: Row,
     /// The columns to draw.
     pub columns: Range<u32>,
-    /// The battery's level at the time shown.
-    pub level: Option<u32>,
-    /// Whether it has broken down for good by then.
-    pub is_broken_down: bool,
+    /// What is told of it at the time shown.
+    pub label: LaneLabel,
     /// What becomes of the agent, while ways to go on are compared; how late it may be,
     /// where what must be so is laid over the plan.
     pub fate: Option<String>,
@@ -87,7 +109,11 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
     };
     let index = props.index;
     let is_two = !props.others.is_empty();
-    let level = props.level.zip(lane.capacity).filter(|_| !is_two);
+    let level = match props.label {
+        LaneLabel::Level(level) => Some(level),
+        LaneLabel::BrokenDown | LaneLabel::Plain => None,
+    };
+    let level = level.zip(lane.capacity).filter(|_| !is_two);
     let other = props.others.iter().position(|o| o.agent == lane.agent);
     let bars = |of: &'static str,
                 lanes: [&Same<Vec<Lane>>; 2],
@@ -124,7 +150,7 @@ pub(super) fn LaneRow(props: &LaneRowProps) -> Html {
                         <small>{ note.around.clone() }</small>
                     } else if let Some(fate) = &props.fate {
                         <small class="fate">{ fate.clone() }</small>
-                    } else if props.is_broken_down {
+                    } else if props.label == LaneLabel::BrokenDown {
                         <small>{ tr!("behind a robot" => "broken down") }</small>
                     } else if let Some((level, capacity)) = level {
                         <small>{ tr!("{level} of {capacity}", level, capacity) }</small>

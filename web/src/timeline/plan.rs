@@ -17,7 +17,7 @@ use yew::prelude::*;
 
 use super::epochs;
 use super::head::{Moved, use_head};
-use super::lane::LaneRow;
+use super::lane::{LaneLabel, LaneRow};
 use super::order as links;
 use super::plan_table::PlanTable;
 use super::rest;
@@ -209,8 +209,7 @@ pub(super) fn Plan(props: &PlanProps) -> Html {
             <LaneRow key={index} name={name.unwrap_or_default()} lanes={lanes.clone()} others={others.clone()} {index} {axis} {row} columns={seen.columns.clone()}
                 in_zone={lanes.get(index).map(|lane| giveway_page::rules::in_lit_zone(state, &lane.name)).unwrap_or_default()}
                 bursts={lanes.get(index).map(|lane| audit::bursts_of(state, &lane.name)).unwrap_or_default()}
-                level={lanes.get(index).and_then(|lane| lane.level_at(time))}
-                is_broken_down={lanes.get(index).and_then(|lane| lane.stopped).is_some_and(|(from, _)| from <= time)}
+                label={LaneLabel::of(lanes.get(index), time)}
                 fate={lanes.get(index).and_then(|lane| fate(&lane.name))} selected={selected == Some(index)}
                 note={notes.as_ref().and_then(|notes| notes.get(index)).cloned()}
                 marks={lanes.get(index).and_then(|lane| freedom::lane(state, &lane.name))}

@@ -85,7 +85,8 @@ impl Star {
         let covers = across.abs() < away && down.abs() < high + self.radius;
         let right = self.at.0 + away;
         let is_room = right + half < map_ends;
-        covers.then(|| if is_room { right } else { self.at.0 - away })
+        let aside = if is_room { right } else { self.at.0 - away };
+        covers.then_some(aside)
     }
 }
 

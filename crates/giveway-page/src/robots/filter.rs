@@ -32,9 +32,12 @@ pub(super) fn fits(row: &Row, filter: &str) -> bool {
     }
 }
 
+/// Whether the order of a row's number and that of a filter is as the filter asks.
+type Compares = fn(Ordering) -> bool;
+
 /// How a filter compares, and with what: `>= 65`.
-fn comparison(rest: &str) -> Option<(fn(Ordering) -> bool, &str)> {
-    const SIGNS: [(&str, fn(Ordering) -> bool); 6] = [
+fn comparison(rest: &str) -> Option<(Compares, &str)> {
+    const SIGNS: [(&str, Compares); 6] = [
         (">=", Ordering::is_ge),
         ("\u{2265}", Ordering::is_ge),
         ("<=", Ordering::is_le),

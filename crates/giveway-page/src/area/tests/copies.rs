@@ -55,7 +55,7 @@ fn what_is_pasted_turns_in_the_hand_even_where_it_does_not_fit() {
         &[AreaAction::Turn, AreaAction::Nudge(-2, 1), AreaAction::Make],
     );
     let column: String = map(&turned).iter().map(|row| &row[3..4]).collect();
-    assert!(column.contains("+"), "{column}");
+    assert!(column.contains('+'), "{column}");
 }
 
 #[test]
