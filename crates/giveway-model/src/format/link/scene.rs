@@ -22,7 +22,7 @@ const GROUNDS: [(char, Ground); 5] = [
     ('b', Ground::SlowCharger),
 ];
 
-/// The names of the parts that [`write`] writes behind the version, and [`read`] reads.
+/// The names of the parts that [`write()`] writes behind the version, and [`read()`] reads.
 pub const PARTS: [&str; 8] = [
     "map",
     "name",
