@@ -15,10 +15,25 @@ use crate::words::at as at_cell;
 pub(crate) struct Entry {
     /// Their indices in the list, the first one first.
     pub(crate) changes: Vec<usize>,
-    /// In words: `New obstacle at (3, 4), and 8 more`.
-    pub(crate) text: String,
+    /// The first of them in words: `New obstacle at (3, 4)`.
+    first: String,
     /// Where a robot stays that breaks down for good.
     pub(crate) stays: Option<Cell>,
+}
+
+impl Entry {
+    /// In words: `New obstacle at (3, 4), and 8 more`.
+    pub(crate) fn text(&self) -> String {
+        and_more(&self.first, self.more())
+    }
+
+    /// How many changes there are beside the one that its words begin with.
+    fn more(&self) -> usize {
+        match self.stays {
+            Some(_) => 0,
+            None => self.changes.len() - 1,
+        }
+    }
 }
 
 /// The entries of the changes of a time, in their order.
@@ -35,7 +50,7 @@ pub(crate) fn entries(plan: Option<&Plan>, list: &[What], at: u32) -> Vec<Entry>
         if let (Some((obstacle, cell)), Some(agent)) = (stop(index), whose(what)) {
             entries.push(Entry {
                 changes: vec![index, obstacle],
-                text: tr!(
+                first: tr!(
                     "{agent} breaks down for good at {cell}",
                     agent,
                     cell = at_cell(cell)
@@ -46,20 +61,15 @@ pub(crate) fn entries(plan: Option<&Plan>, list: &[What], at: u32) -> Vec<Entry>
         }
         let before = entries.last_mut().filter(|entry| {
             let last = entry.changes.last().and_then(|&last| list.get(last));
-            entry.stays.is_none() && last.is_some_and(|last| is_one_stroke(last, what))
+            entry.stays.is_none() && last.is_some_and(|last| is_the_same_elsewhere(last, what))
         });
         match before {
             Some(entry) => entry.changes.push(index),
             None => entries.push(Entry {
                 changes: vec![index],
-                text: what.sentence().0,
+                first: what.sentence().0,
                 stays: None,
             }),
-        }
-    }
-    for entry in &mut entries {
-        if entry.stays.is_none() && entry.changes.len() > 1 {
-            entry.text = and_more(&entry.text, entry.changes.len() - 1);
         }
     }
     entries
@@ -70,25 +80,28 @@ pub(crate) fn in_words(plan: Option<&Plan>, list: &[What], at: u32) -> String {
     let entries = entries(plan, list, at);
     match entries.as_slice() {
         [] => String::new(),
-        [only] => only.text.clone(),
-        [first, rest @ ..] => and_more(&first.text, rest.len()),
+        [first, rest @ ..] => and_more(&first.first, first.more() + rest.len()),
     }
 }
 
 fn and_more(first: &str, more: usize) -> String {
-    tr!("{first}, and {more} more", first, more)
+    match more {
+        0 => first.to_owned(),
+        _ => tr!("{first}, and {more} more", first, more),
+    }
 }
 
-/// Whether two changes do the same to the ground of a cell each.
-fn is_one_stroke(one: &What, next: &What) -> bool {
+/// Whether two changes do the same to the ground of one cell each.
+fn is_the_same_elsewhere(one: &What, next: &What) -> bool {
     let is_ground = match one {
         What::AddObstacle { .. }
         | What::RemoveObstacle { .. }
-        | What::SetSlow { .. }
-        | What::SetNormal { .. }
         | What::AddCharger { .. }
         | What::RemoveCharger { .. } => true,
-        What::MoveObstacle { .. }
+        // Those of slow cells name all of their cells.
+        What::SetSlow { .. }
+        | What::SetNormal { .. }
+        | What::MoveObstacle { .. }
         | What::AddAgent { .. }
         | What::RemoveAgent { .. }
         | What::SetGoal { .. }

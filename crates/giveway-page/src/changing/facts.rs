@@ -115,13 +115,13 @@ fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
         let listed = listed(changing, index, changing.list.get(index)?, rules);
         Some(match (entry.stays, entry.changes.len()) {
             (Some(_), _) => Listed {
-                text: entry.text,
+                text: entry.text(),
                 detail: Some(tr!("it stays there as an obstacle").to_owned()),
                 ..listed
             },
             (None, 1) => listed,
             (None, _) => Listed {
-                text: entry.text,
+                text: entry.text(),
                 ..listed
             },
         })

@@ -54,7 +54,7 @@ pub fn fixes(state: &State) -> Vec<Fix> {
         }
     }
     let listed = entries(changing.about.plan(), &changing.list, changing.at).into_iter();
-    let listed = listed.filter_map(|entry| Some((*entry.changes.first()?, entry.text)));
+    let listed = listed.filter_map(|entry| Some((*entry.changes.first()?, entry.text())));
     fixes.extend(listed.map(|(index, text)| Fix::TakeBack(index, text)));
     fixes
 }

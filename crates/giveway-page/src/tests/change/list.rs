@@ -4,7 +4,7 @@ use giveway_model::Cell;
 use giveway_model::change::What;
 
 use super::{changing, joined, list, running};
-use crate::changing::facts;
+use crate::changing::{facts, in_words};
 use crate::reduce::tests::{after, stroke};
 use crate::rules::RuleAction;
 use crate::tests::{saying, seek, select};
@@ -36,6 +36,10 @@ fn every_tool_lists_a_change() {
     assert!(saying(&state).ends_with(": 1 change listed."));
     let back = after(&state, [Action::Change(ChangeAction::TakeBack(0))]);
     assert_eq!(list(&back), [""; 0], "and is taken back as one");
+    let mixed = after(&state, stroke(Tool::Charger, &[(1, 1)]));
+    let now = mixed.document.mode.changing().unwrap();
+    let said = in_words(now.about.plan(), &now.list, now.at);
+    assert_eq!(said, "New obstacle at (0, 2), and 2 more");
     let state = after(&state, stroke(Tool::Select, &[(1, 2), (0, 0)]));
     assert_eq!(list(&state), both);
     let state = after(&state, stroke(Tool::Erase, &[(0, 0)]));
