@@ -4,7 +4,6 @@
 use std::rc::Rc;
 
 use giveway_model::tr_data;
-use giveway_solve::SolveRequest;
 
 use super::{solve, stroke};
 use crate::area::{Area, AreaAction};
@@ -12,7 +11,7 @@ use crate::changing;
 use crate::edit::{Edit, RuleEdit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
-use crate::rules::keeps;
+use crate::rules::kept;
 use crate::{Activity, Answer, Document, Draft, Mode, Notice, Selection, State};
 
 /// Puts a document in the place of the one that there is, as one step of undo.
@@ -229,22 +228,13 @@ impl Document {
     /// ends where that is no longer the plan of the scene.
     pub(super) fn set_draft(&mut self, draft: Draft) {
         self.looks = self.looks.after(self.draft.agents(), draft.agents());
+        let draft = Rc::new(draft);
         let held = self
             .fresh_answer()
-            .filter(|answer| keeps(answer, draft.scene()));
-        let held = held.cloned();
-        self.draft = Rc::new(draft);
+            .and_then(|answer| kept(answer, &draft));
+        self.draft = draft;
         if let Some(held) = held {
-            // A zone alone forbids nothing, and what was proved of fewer rules holds for more.
-            let request = SolveRequest {
-                scene: self.draft.scene().clone(),
-                ..(*held.request).clone()
-            };
-            self.answer = Some(Rc::new(Answer {
-                draft: Rc::clone(&self.draft),
-                request: Rc::new(request),
-                ..(*held).clone()
-            }));
+            self.answer = Some(Rc::new(held));
         }
         match self.mode.audit().and_then(|audit| audit.on(&self.draft)) {
             Some(audit) => {
