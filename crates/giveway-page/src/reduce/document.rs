@@ -229,9 +229,7 @@ impl Document {
     pub(super) fn set_draft(&mut self, draft: Draft) {
         self.looks = self.looks.after(self.draft.agents(), draft.agents());
         let draft = Rc::new(draft);
-        let held = self
-            .fresh_answer()
-            .and_then(|answer| kept(answer, &draft));
+        let held = self.fresh_answer().and_then(|answer| kept(answer, &draft));
         self.draft = draft;
         if let Some(held) = held {
             self.answer = Some(Rc::new(held));

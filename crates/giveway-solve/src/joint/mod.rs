@@ -45,15 +45,29 @@ pub(crate) fn is_small(problem: &Problem, budget: &Budget) -> bool {
 }
 
 /// Whether there are so few joint states that they are exhausted where clauses take long: under
-/// rules, which count much on the way that is never reached, up to ten times as many.
-pub(crate) fn is_rather_small(problem: &Problem, budget: &Budget) -> bool {
+/// rules, which count much on the way that is never reached, up to ten times as many, of the states
+/// that agents do reach.
+///
+/// # Errors
+/// When the budget is spent.
+pub(crate) fn is_rather_small(problem: &Problem, budget: &Budget) -> Result<bool, Stop> {
     let few = budget.thresholds().few_joint_states;
-    let most = if problem.is_constrained {
-        few.saturating_mul(10)
-    } else {
-        few
-    };
-    product_of_states(problem, 0..problem.agents()) <= most
+    if !problem.is_constrained {
+        return Ok(product_of_states(problem, 0..problem.agents()) <= few);
+    }
+    let most = few.saturating_mul(10);
+    if product_of_states(problem, 0..problem.agents()) <= most {
+        return Ok(true);
+    }
+    let mut product = 1_usize;
+    for agent in 0..problem.agents() {
+        let reached = states::reached_alone(problem, agent, most / product, budget)?;
+        product = product.saturating_mul(reached.max(1));
+        if product > most {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The product of the numbers of states that agents have alone: no fewer than their joint

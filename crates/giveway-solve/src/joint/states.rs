@@ -7,12 +7,14 @@ use giveway_model::Cost;
 use rustc_hash::FxBuildHasher;
 
 use super::{
-    Joint,
+    Joint, NO_LIMITS,
     agent::Single,
+    event,
     tally::{TalliedCosts, Tally},
 };
 use crate::{
     budget::{Budget, Stop},
+    encode::collisions::AgentId,
     problem::Problem,
     single::{CostToGo, Metric, Place},
     terrain::Vertex,
@@ -169,6 +171,39 @@ impl<'a> States<'a> {
         });
         Some((to_go, time))
     }
+}
+
+/// How many states an agent reaches alone, of those in which its task can still be ended; once
+/// there are more than `most`, no more are looked for.
+///
+/// # Errors
+/// When the budget is spent.
+pub(super) fn reached_alone(
+    problem: &Problem,
+    agent: AgentId,
+    most: usize,
+    budget: &Budget,
+) -> Result<usize, Stop> {
+    let agents = [agent];
+    let joint = Joint {
+        problem,
+        agents: &agents,
+        counted: TalliedCosts::new(&[], &NO_LIMITS),
+    };
+    if !event::can_count(joint.task(0)) {
+        return Ok(usize::MAX);
+    }
+    let mut states = States::new(&joint, 0, budget)?;
+    for (start, _) in joint.starts() {
+        states.number(start[0]);
+    }
+    let mut next = 0;
+    while next < states.met.len() && states.met.len() <= most {
+        budget.tick()?;
+        states.steps(next as StateId);
+        next += 1;
+    }
+    Ok(states.met.len())
 }
 
 /// The vertex at which an agent is, or is in one step.

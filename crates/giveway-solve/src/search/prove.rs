@@ -78,7 +78,7 @@ pub(super) fn or_exhausted<T>(
     let SearchInput {
         problem, budget, ..
     } = given;
-    if !joint::is_rather_small(problem, budget) {
+    if !joint::is_rather_small(problem, budget)? {
         return by_sat(given, incumbent, verdict);
     }
     let patience = Limits {

@@ -69,6 +69,9 @@ pub fn sentence(objective: &Objective, event: &SearchEvent) -> String {
             at,
             at_least,
         } => counted((*cost, *at_least), agents, at),
+        SearchEvent::Exhausted { bounds } if bounds.is_empty() => {
+            tr!("All positions that the robots can be in together were gone through.").to_owned()
+        }
         SearchEvent::Exhausted { bounds } => tr!(
             "All positions that the robots can be in together were gone through. The least: {costs}.",
             costs = told(bounds)
