@@ -41,6 +41,10 @@ fn turn(key: &str) -> Option<HtmlElement> {
 fn answer(key: &str) -> Option<HtmlElement> {
     let figure: u8 = key.parse().ok()?;
     let place = super::place()?;
+    let room = format!("[data-presents] [data-room-key='{figure}']:not(:disabled)");
+    if let Some(found) = gloo::utils::document().query_selector(&room).ok().flatten() {
+        return found.dyn_into().ok();
+    }
     // Where a search by hand has its place, figures are for that.
     if place.closest(".covers-lesson").ok().flatten().is_some() {
         return None;

@@ -7,6 +7,7 @@ use giveway_course::learner::{Action, Open};
 use giveway_model::tr;
 use yew::prelude::*;
 
+use super::author::AuthorMsg;
 use super::contents::Page;
 use super::exercise;
 use super::handin::{self, HandMsg};
@@ -94,6 +95,11 @@ fn elsewhere(open: &Open, send: &Callback<Msg>) -> Html {
             <button type="button" class="btn ghost" title={tr!("The lesson on paper, its answers apart")} onclick={press(|| Msg::Print)}>
                 { icon::show("file") }<span>{ tr!("Print") }</span>
             </button>
+            if !open.is_tried() {
+                <button type="button" class="btn ghost" title={tr!("A lesson of your own, which begins as a copy of this one")} onclick={press(|| Msg::Author(AuthorMsg::Adapt))}>
+                    { icon::show("edit") }<span>{ tr!("a lesson" => "Change it") }</span>
+                </button>
+            }
             // After the last step it stands beside the way on.
             if !open.is_last() { { hand_in("btn ghost", open, send) } }
         </div>

@@ -3,14 +3,15 @@
 
 use giveway_course::judge::words::said;
 use giveway_course::judge::{Did, Verdict};
-use giveway_course::learner::Open;
+use giveway_course::learner::{Action, Open};
 use giveway_course::lesson::quantity::ValueKind;
 use giveway_course::lesson::{Step, Task, Text};
+use giveway_model::tr;
 use yew::prelude::*;
 
 use super::exercise::{answers, free, is_answered};
 use super::prose::{Reader, first_sentence};
-use super::tutor::Tutor;
+use super::tutor::{Msg, Tutor};
 
 /// The most sentences that are read from the last row.
 const SENTENCES: usize = 2;
@@ -22,17 +23,18 @@ pub(super) fn show(tutor: &Tutor, open: &Open, step: &Step, reader: Reader<'_>) 
         None => Text::opening(&step.text, SENTENCES),
     };
     let verdict = open.judge().verdict();
+    // Where answers are hidden from the room, what is judged is, too (`static/css/present.css`).
     let judged = verdict.map(|verdict| {
         let said = said(verdict, step);
         let reason = step.reason.as_ref().filter(|_| verdict.is_solved());
         // What the judge says goes on behind its head.
         let sign = if reason.is_some() { ". " } else { ": " };
         let words = Text::opening(&[reason.cloned().unwrap_or(said.text)], SENTENCES);
-        html! { <p><b>{ format!("{}{sign}", said.head) }</b>{ reader.still(words.spans()) }</p> }
+        html! { <p class="judged"><b>{ format!("{}{sign}", said.head) }</b>{ reader.still(words.spans()) }</p> }
     });
     html! {
         <section class="third" aria-live="polite">
-            <h2>{ step.title.clone() }</h2>
+            <h2>{ step.title.clone() }<small>{ tr!("{step} of {steps}", step = open.index() + 1, steps = open.lesson.steps.len()) }</small></h2>
             <p>{ reader.still(text.spans()) }</p>
             { listed(open, step.task.as_ref(), reader) }
             { to_say(tutor, open, step.task.as_ref(), reader) }
@@ -41,7 +43,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, step: &Step, reader: Reader<'_>) 
     }
 }
 
-/// The answers to choose from, by their keys.
+/// The answers to choose from, by their keys; one that was solved before is asked anew.
 fn listed(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
     let texts: Vec<&Text> = match task {
         Some(Task::Predict(task)) => task.answers.iter().map(|answer| &answer.text).collect(),
@@ -49,11 +51,18 @@ fn listed(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
         _ => Vec::new(),
     };
     let are_short = are_told_apart(&texts);
-    let one = |place: usize, text: &Text, is_right: bool| {
+    let is_over = open.is_solved() || is_answered(open);
+    let one = |place: usize, text: &Text, is_right: bool, act: Action| {
         let (title, _) = first_sentence(text);
         let said = if are_short { &title[..] } else { text.spans() };
+        let key = (place + 1).to_string();
+        let press = reader
+            .send
+            .reform(move |_: MouseEvent| Msg::Do(act.clone()));
         html! {
-            <li class={is_right.then_some("right")}><kbd>{ place + 1 }</kbd><span>{ reader.still(said) }</span></li>
+            <li class={is_right.then_some("right")}>
+                <button type="button" data-room-key={key.clone()} disabled={is_over} onclick={press}><kbd>{ key }</kbd><span>{ reader.still(said) }</span></button>
+            </li>
         }
     };
     let list: Vec<Html> = match task {
@@ -61,7 +70,10 @@ fn listed(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
             let truth = open.judge().verdict().and_then(Verdict::truth);
             let answers = task.answers.iter().enumerate();
             answers
-                .map(|(place, answer)| one(place, &answer.text, truth == Some(&answer.value)))
+                .map(|(place, answer)| {
+                    let guess = Action::Guess(answer.value.clone());
+                    one(place, &answer.text, truth == Some(&answer.value), guess)
+                })
                 .collect()
         }
         Some(Task::Choose(task)) => {
@@ -71,7 +83,10 @@ fn listed(open: &Open, task: Option<&Task>, reader: Reader<'_>) -> Html {
             };
             let answers = task.answers.iter().enumerate();
             answers
-                .map(|(place, answer)| one(place, &answer.text, chosen == Some(place)))
+                .map(|(place, answer)| {
+                    let choose = Action::Choose(place);
+                    one(place, &answer.text, chosen == Some(place), choose)
+                })
                 .collect()
         }
         _ => Vec::new(),

@@ -31,6 +31,7 @@ impl Tutor {
             let lesson = Rc::new(language::said(&**lesson));
             self.act(ctx, Action::Reword { id, lesson });
         }
+        self.reword_class();
         if self.shelf.is_some()
             && let Some(wanted) = self.wanted.take()
         {

@@ -1,5 +1,7 @@
 //! The machine: files come in, questions go out, answers come in, and the table grows.
 
+use std::rc::Rc;
+
 use giveway_model::Fault;
 use giveway_solve::Response;
 
@@ -12,6 +14,7 @@ use super::rows::Student;
 use super::task::{Graded, State};
 use crate::handin::{self, HandIn};
 use crate::learner::AskNumber;
+use crate::lesson::{Id, Lesson};
 
 /// The hand-ins of a class. No hand-in is kept but here: when it is dropped, the names are
 /// gone.
@@ -96,6 +99,13 @@ impl Class {
         self.students.clear();
         for file in files {
             self.put(file);
+        }
+    }
+
+    /// Tells a lesson that was given in the words of another language.
+    pub fn reword(&mut self, id: &Id, lesson: &Rc<Lesson>) {
+        for given in self.lessons.iter_mut().filter(|given| given.id == *id) {
+            given.lesson = Rc::clone(lesson);
         }
     }
 

@@ -7,7 +7,7 @@ use giveway_solve::Request;
 
 use crate::handin::Sum;
 use crate::learner::AskNumber;
-use crate::lesson::{Id, Lesson};
+use crate::lesson::{Id, Lesson, Text};
 
 /// A lesson against which hand-ins are judged.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,11 @@ impl Given {
             (Some(number), Some(step)) => format!("{number} {}", step.title),
             _ => tr!("step {number}, without a task", number = step + 1),
         }
+    }
+
+    /// What the task of a step asks for.
+    pub fn asked(&self, step: usize) -> Option<&Text> {
+        Some(self.lesson.steps.get(step)?.task.as_ref()?.say())
     }
 }
 

@@ -8,10 +8,11 @@
 //! - [`Came`]: files and links as a page gets them;
 //! - [`Filed`], [`Unread`]: a file, and why it is none of this class;
 //! - [`Row`], [`Share`], [`Wrong`]: the table, and what it says of each task;
-//! - [`Looking`]: which of it is looked at, and the board of a student's work;
+//! - [`Looking`]: which of it is looked at, the board of a student's work, and what is given back;
 //! - [`csv`], [`Report`]: the same for spreadsheets and programs.
 
 mod answers;
+mod back;
 mod came;
 mod claim;
 mod class;

@@ -92,24 +92,37 @@ impl HandIn {
     /// use giveway_course::handin::{HandIn, read};
     /// let text = r#"{ "giveway": 1, "name": "Ada L.", "tasks": [],
     ///   "hand-in": { "lesson": "room-to-pass", "title": "Room to pass", "sum": "00000000000000a7" } }"#;
-    /// assert_eq!(read(text).unwrap().file_name(), "room-to-pass-ada-l.json");
+    /// let mut hand_in = read(text).unwrap();
+    /// assert_eq!(hand_in.file_name(), "room-to-pass-ada-l.json");
+    /// hand_in.hand_in.lesson = "own-00000000000000a7".parse().unwrap();
+    /// hand_in.hand_in.title = "Let me through!".to_owned();
+    /// assert_eq!(hand_in.file_name(), "let-me-through-ada-l.json");
     /// ```
     pub fn file_name(&self) -> String {
-        let mut name = self.hand_in.lesson.to_string();
-        let words = self.name.as_deref().unwrap_or_default().to_lowercase();
-        let plain = |c: &char| c.is_alphanumeric();
-        let mut is_open = true;
-        for c in words.chars() {
-            if plain(&c) {
-                if std::mem::take(&mut is_open) {
-                    name.push('-');
-                }
-                name.push(c);
-            } else {
-                is_open = true;
-            }
+        // A lesson of one's own has a number for a name.
+        let lesson = match &self.hand_in.lesson {
+            own if own.is_own() => hyphened(&self.hand_in.title).chars().take(TITLE).collect(),
+            lesson => lesson.to_string(),
+        };
+        let name = hyphened(self.name.as_deref().unwrap_or_default());
+        let parts: Vec<String> = [lesson, name]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect();
+        match parts.join("-") {
+            name if name.is_empty() => "hand-in.json".to_owned(),
+            name => format!("{name}.json"),
         }
-        name.push_str(".json");
-        name
     }
+}
+
+/// The most characters of a lesson's title in the name of a file.
+const TITLE: usize = 40;
+
+/// Letters and digits of a text in small letters, with a hyphen between its words.
+fn hyphened(text: &str) -> String {
+    let small = text.to_lowercase();
+    let words = small.split(|c: char| !c.is_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    words.join("-")
 }

@@ -62,9 +62,11 @@ pub(super) fn unwrapped(text: &str) -> Result<Unwrapped, Fault> {
             Err(Fault::at("", found, tr!("a hand-in")).in_text(1, 1))
         }
         State::Before => {
-            let found = tr!("a text without a line that begins with {sign}", sign = "{");
-            let expected = tr!("a hand-in, as the page saves it");
-            Err(Fault::at("", found, expected))
+            let expected = tr!(
+                "a hand-in, as {button} in a lesson saves it",
+                button = tr!("Hand in")
+            );
+            Err(Fault::at("", tr!("another text"), expected))
         }
         State::Within => {
             let line = text.lines().count();

@@ -153,3 +153,60 @@ fn a_class_is_looked_at_cell_by_cell() {
     let none = looking.reduce(LookAction::Choose(None), &class);
     assert_eq!(none.said(&class), None);
 }
+
+/// Who looks at a class may change the language: what was judged stays judged, in other words.
+#[test]
+fn a_lesson_of_a_class_is_told_in_other_words() {
+    let lesson = Rc::new(shipped::lesson("room-to-pass"));
+    let id: Id = "room-to-pass".parse().unwrap();
+    let given = Given::new(id.clone(), Rc::clone(&lesson));
+    let asked = given.asked(1).unwrap().plain();
+    assert!(
+        given.asked(0).is_none(),
+        "a step without a task asks nothing"
+    );
+    let mut class = Class::new([given]);
+    let made = handed("room-to-pass", &lesson, "Ada", vec![guess(9, true)]);
+    class.add("ada.json", None, &write(&made));
+    judge(&mut class);
+    let solved = |class: &Class| class.rows(0, Order::Name)[0].solved();
+    assert_eq!(solved(&class), 1);
+    let mut other = (*lesson).clone();
+    other.title = "Platz zum Ausweichen".to_owned();
+    class.reword(&id, &Rc::new(other));
+    assert_eq!(class.lessons()[0].lesson.title, "Platz zum Ausweichen");
+    assert_eq!(solved(&class), 1);
+    assert_eq!(class.lessons()[0].asked(1).unwrap().plain(), asked);
+}
+
+#[test]
+fn what_is_given_back_says_why_and_nothing_of_others() {
+    let lesson = Rc::new(shipped::lesson("room-to-pass"));
+    let id: Id = "room-to-pass".parse().unwrap();
+    let mut class = Class::new([Given::new(id, Rc::clone(&lesson))]);
+    let dan = vec![guess(9, true), blocked(5, 2, true)];
+    for (name, works) in [("Dan", dan), ("Ada", vec![guess(7, false)])] {
+        let made = handed("room-to-pass", &lesson, name, works);
+        class.add(&format!("{name}.json"), None, &write(&made));
+    }
+    judge(&mut class);
+    let place = class.rows(0, Order::Name)[1].place();
+    let chosen = Some(Chosen {
+        file: place,
+        step: 3,
+    });
+    let looking = Looking::default().reduce(LookAction::Choose(chosen), &class);
+    let text = looking.to_give_back(&class).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "Dan: Room to pass");
+    assert_eq!(lines[1], "1 How long will they need?: solved.");
+    assert_eq!(lines[2], "2 Who gives way?: not tried.");
+    let told = "3 Block one cell: not solved. Your answer: (5, 2) an obstacle. ";
+    assert!(
+        lines[3].starts_with(told) && lines[3].len() > told.len(),
+        "{}",
+        lines[3]
+    );
+    assert!(lines.len() == 4 && !text.contains("Ada") && !text.contains("says"));
+    assert_eq!(Looking::default().to_give_back(&class), None);
+}

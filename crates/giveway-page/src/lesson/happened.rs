@@ -5,20 +5,22 @@ use giveway_course::port::{BoardNumber, FromPage, Happened, Sight};
 use super::Lesson;
 use crate::{State, Tool};
 
-/// A person's own board as it is now, for who writes a lesson: its scene, its plan (also
-/// one from elsewhere that breaks rules), the time shown.
+/// The board as it is seen now, also that of a lesson, for who writes a lesson: its scene, its plan
+/// (also one from elsewhere that breaks rules), the time shown. A plan that is hidden still is not
+/// told.
 pub fn as_it_is(state: &State) -> Vec<FromPage> {
-    let own = state.own();
-    let scene = own.document.draft.scene().clone();
-    let document = &own.document;
+    let hides_plan = state.lesson().is_some_and(Lesson::hides_plan);
+    let document = &state.document;
+    let scene = document.draft.scene().clone();
     let plan = match document.mode.audit() {
+        _ if hides_plan => None,
         Some(audit) => Some(audit.plan.file.plan.clone()),
         None => document.plan().cloned(),
     };
     let all = [
         Some(Happened::Board(Box::new(scene))),
         plan.map(|plan| Happened::Led(Box::new(plan))),
-        Some(Happened::Time(own.view.playback.time)),
+        Some(Happened::Time(state.view.playback.time)),
     ];
     let number = BoardNumber::default();
     let all = all.into_iter().flatten();

@@ -12,7 +12,7 @@ use crate::edit::{Edit, RuleEdit, Sketch};
 use crate::gesture::Gesture;
 use crate::history::Moment;
 use crate::rules::kept;
-use crate::{Activity, Answer, Document, Draft, Mode, Notice, Selection, State};
+use crate::{Activity, Document, Draft, Mode, Notice, Selection, State};
 
 /// Puts a document in the place of the one that there is, as one step of undo.
 pub(super) fn put(state: &mut State, document: Document) {

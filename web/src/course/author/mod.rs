@@ -4,6 +4,7 @@
 //! What is written, and what is wrong with it, is decided in `giveway_course::author`;
 //! here it becomes a dialog, and a text that the browser keeps.
 
+mod adapt;
 mod arrive;
 mod check;
 mod desk;
@@ -45,6 +46,8 @@ pub(super) use arrive::is_own;
 pub(in crate::course) enum AuthorMsg {
     /// It is opened, with what was kept.
     Open,
+    /// It is opened with a copy of the lesson on the board, which is left.
+    Adapt,
     /// It is closed; what is written stays.
     Close,
     /// Something happens to the draft.
@@ -202,6 +205,7 @@ impl Tutor {
                 self.close_contents();
                 self.author.open(glossary);
             }
+            AuthorMsg::Adapt => self.adapt(ctx),
             AuthorMsg::Close => author.leave(),
             AuthorMsg::Act(action) => author.act(action, glossary),
             AuthorMsg::Take => self.say(&ToPage::Take),

@@ -33,8 +33,9 @@ pub(super) fn save(lesson: &Lesson, is_checked: bool) -> String {
         tr!("Saved as {name}.", name)
     } else {
         tr!(
-            "Saved as {name}. The solver has not checked all of its tasks.",
-            name
+            "Saved as {name}. The solver has not tried all of its tasks; {button} has it try them.",
+            name,
+            button = tr!("Copy link")
         )
     }
 }

@@ -22,6 +22,9 @@ pub(super) fn chosen(file: &File, bytes: &[u8]) -> Came {
 impl Collected {
     /// Adds what came; lessons first, so that hand-ins are judged against them.
     pub(super) fn add(&mut self, files: Vec<Came>, glossary: &Glossary) {
+        if !files.is_empty() {
+            self.told.clear();
+        }
         let (lessons, others): (Vec<Came>, Vec<Came>) =
             files.into_iter().partition(Came::is_lesson);
         for came in lessons {

@@ -59,6 +59,7 @@ impl Tutor {
             }
             ClassMsg::Look(action) => {
                 self.of_class(|it| it.looking = it.looking.reduce(action, &it.class));
+                self.of_class(|it| it.told.clear());
                 match action {
                     LookAction::Choose(_) | LookAction::LookAt(_) => self.show_work(),
                     LookAction::Lesson(_) | LookAction::Order(_) => {}
@@ -72,6 +73,10 @@ impl Tutor {
             ClassMsg::Copy => {
                 let tell = ctx.link().callback(Msg::Class);
                 self.of_class(|it| it.copy(tell));
+            }
+            ClassMsg::CopyWork => {
+                let tell = ctx.link().callback(Msg::Class);
+                self.of_class(|it| it.copy_work(tell));
             }
             ClassMsg::Told(told) => self.of_class(|it| it.told = told),
         }
@@ -178,6 +183,19 @@ impl Tutor {
     fn give(&mut self, id: Id, lesson: &Rc<Lesson>) {
         let said = Rc::new(language::said(&**lesson));
         self.of_class(|it| it.class.give(Given::new(id, said)));
+    }
+
+    /// Tells the lessons of the course in the words of the language that is spoken now.
+    pub(in crate::course) fn reword_class(&mut self) {
+        let lessons = self.lessons.iter();
+        let said: Vec<(Id, Rc<Lesson>)> = lessons
+            .map(|(id, lesson)| (id.clone(), Rc::new(language::said(&**lesson))))
+            .collect();
+        self.of_class(|it| {
+            for (id, lesson) in &said {
+                it.class.reword(id, lesson);
+            }
+        });
     }
 
     /// Judges until the solver must be asked, or for a moment.

@@ -94,6 +94,8 @@ pub(super) enum ClassMsg {
     Save,
     /// The table is copied as CSV.
     Copy,
+    /// What is given back to the student whose work is shown is copied.
+    CopyWork,
     /// What became of the copy.
     Told(String),
 }
@@ -148,13 +150,30 @@ impl Collected {
         self.told = tr!("Saved as {name}.", name = "hand-ins.csv");
     }
 
-    fn copy(&mut self, tell: Callback<ClassMsg>) {
+    fn copy(&self, tell: Callback<ClassMsg>) {
         let text = csv::csv(&self.class, self.looking.order);
-        copy::text(tr!("table"), &text, move |done| {
-            tell.emit(ClassMsg::Told(match done {
-                Ok(()) => tr!("Table copied.").to_owned(),
-                Err(notice) => notice.sentence(),
-            }));
-        });
+        copied(tr!("table"), &text, tr!("Table copied."), tell);
     }
+
+    /// Copies what is given back to the student whose work is shown.
+    fn copy_work(&self, tell: Callback<ClassMsg>) {
+        if let Some(text) = self.looking.to_give_back(&self.class) {
+            copied(
+                tr!("text"),
+                &text,
+                tr!("Copied, to be sent to the student."),
+                tell,
+            );
+        }
+    }
+}
+
+/// Copies a text, and tells whether that went well.
+fn copied(what: &'static str, text: &str, well: &'static str, tell: Callback<ClassMsg>) {
+    copy::text(what, text, move |done| {
+        tell.emit(ClassMsg::Told(match done {
+            Ok(()) => well.to_owned(),
+            Err(notice) => notice.sentence(),
+        }));
+    });
 }

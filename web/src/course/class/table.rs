@@ -119,8 +119,12 @@ impl Collected {
                     <h2 id="class-title">
                         if self.class.files().is_empty() { { tr!("Hand-ins of a class") } }
                         else { { tr!("{n} hand-in" | "{n} hand-ins" % count) } }
+                        if let Some(given) = self.class.lessons().get(self.looking.lesson) { { ": " }{ given.lesson.title.clone() } }
                     </h2>
-                    <p>{ tr!("What a file claims is not believed: every answer is judged again here. A name cannot be checked.") }</p>
+                    <p>
+                        { tr!("What a file claims is not believed: every answer is judged again here. A name cannot be checked.") }{ " " }
+                        { tr!("Nothing of it is kept when the page is closed: save the table.") }
+                    </p>
                 </div>
                 <span class="grow"></span>
                 <button type="button" class="btn ghost round" title={tr!("Close (Escape)")} onclick={close}>
@@ -216,7 +220,7 @@ impl Collected {
             <tr key={file} class={classes!(self.looking.chosen.is_some_and(|it| it.file == file).then_some("cur"))}>
                 <th scope="row">
                     <bdi>{ row.title().to_owned() }</bdi>
-                    if files > 1 { <small>{ tr!("{n} file" | "{n} files" % files) }</small> }
+                    if files > 1 { <small>{ tr!("the latest of {n} files", n = files) }</small> }
                 </th>
                 { for cells.map(cell) }
                 <td class="r">{ tr!("{n} of {all}", n = row.solved(), all = count) }</td>

@@ -31,6 +31,7 @@ pub(in crate::course) fn show(tutor: &Tutor, class: &Collected, send: &Callback<
                 </header>
                 { verdict(class, task, given) }
                 { tasks(row, task, given, send) }
+                { give_back(class, send) }
                 { others(class, row) }
             </div>
             { foot(class, send) }
@@ -51,6 +52,7 @@ fn verdict(class: &Collected, task: &Graded, given: &Given) -> Html {
         <section class={classes!("ex", "work", class)} role="status">
             <p class="exk">{ icon::show(sign) }{ said.head }</p>
             <h3>{ given.task_words(task.step) }</h3>
+            if let Some(asked) = given.asked(task.step) { <p class="quiet">{ asked.plain() }</p> }
             if !said.reason.is_empty() { <p>{ said.reason }</p> }
             if task.claim() == Claim::False { <p>{ tr!("The file says that it is solved.") }</p> }
             if !said.answer.is_empty() { <p><b>{ tr!("Answer") }</b>{ ": " }<bdi>{ said.answer }</bdi></p> }
@@ -86,6 +88,19 @@ fn tasks(row: Row<'_>, shown: &Graded, given: &Given, send: &Callback<Msg>) -> H
     }
 }
 
+/// What is told to the student, as a text for a mail.
+fn give_back(class: &Collected, send: &Callback<Msg>) -> Html {
+    let copy = once(send, || Msg::Class(ClassMsg::CopyWork));
+    html! {
+        <div class="exa">
+            <button type="button" class="btn outline" title={tr!("Each task, how it is judged, and why, as a text for a mail")} onclick={copy}>
+                { icon::show("copy") }<span>{ tr!("Copy for the student") }</span>
+            </button>
+            <span class="quiet" role="status">{ class.told.clone() }</span>
+        </div>
+    }
+}
+
 /// Other files of the same name, which do not count.
 fn others(class: &Collected, row: Row<'_>) -> Html {
     let others = row.files().iter().filter(|place| **place != row.place());
@@ -105,7 +120,17 @@ fn others(class: &Collected, row: Row<'_>) -> Html {
 }
 
 fn foot(class: &Collected, send: &Callback<Msg>) -> Html {
-    let is_none = class.looking.to_look_at(&class.class).is_empty();
+    let all = class.looking.to_look_at(&class.class);
+    let is_none = all.is_empty();
+    let place = all.iter().position(|it| Some(*it) == class.looking.chosen);
+    let next = match place {
+        Some(place) => tr!(
+            "Next to look at ({n} of {all})",
+            n = place + 1,
+            all = all.len()
+        ),
+        None => tr!("Next to look at").to_owned(),
+    };
     let look = |on: bool| {
         once(send, move || {
             Msg::Class(ClassMsg::Look(LookAction::LookAt(on)))
@@ -114,7 +139,7 @@ fn foot(class: &Collected, send: &Callback<Msg>) -> Html {
     html! {
         <footer class="foot">
             <button type="button" class="btn outline" disabled={is_none} onclick={look(false)}>{ icon::show("back") }<span>{ tr!("the one before" => "Before") }</span></button>
-            <button type="button" class="btn primary" disabled={is_none} onclick={look(true)}><span>{ tr!("Next to look at") }</span></button>
+            <button type="button" class="btn primary" disabled={is_none} onclick={look(true)}><span>{ next }</span></button>
         </footer>
     }
 }

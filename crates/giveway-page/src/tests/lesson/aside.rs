@@ -11,7 +11,7 @@ use super::{board, heard, opened, say, scene, told};
 use crate::files::Opened;
 use crate::intake::protocol::{Found, Reply};
 use crate::keys::{Key, command};
-use crate::lesson::{LessonAction, as_it_is};
+use crate::lesson::LessonAction;
 use crate::present::{END, third};
 use crate::reduce::tests::{after, stroke};
 use crate::tests::{answered, seek, select};
@@ -23,7 +23,7 @@ use crate::{
 const LEAVE: Action = Action::Lesson(LessonAction::Leave);
 
 /// A page with a plan, an edit that was undone, and something selected.
-fn own() -> State {
+pub(super) fn own() -> State {
     let edited = after(&sample::solved(), stroke(Tool::Obstacle, &[(8, 2)]));
     after(&edited, [Action::Undo, select(1), seek(3)])
 }
@@ -237,26 +237,6 @@ fn a_board_that_is_no_scene_changes_nothing() {
     assert_eq!(refused.document, own.document);
     assert!(refused.view.notice.is_some());
     assert_eq!(say(&own, ToPage::Close).document, own.document);
-}
-
-#[test]
-fn who_writes_a_lesson_takes_ones_own_board_as_it_is() {
-    let own = own();
-    let plan = own.document.plan().cloned().unwrap();
-    let all = [
-        told(
-            0,
-            Happened::Board(Box::new(own.document.draft.scene().clone())),
-        ),
-        told(0, Happened::Led(Box::new(plan))),
-        told(0, Happened::Time(3)),
-    ];
-    assert_eq!(as_it_is(&own), all);
-    // Also while another lesson is on the board; to ask changes nothing.
-    let lesson = opened(&own, board(1));
-    assert_eq!(as_it_is(&lesson), all);
-    assert_eq!(say(&lesson, ToPage::Take), lesson);
-    assert_eq!(as_it_is(&State::new(crate::Draft::default())).len(), 2);
 }
 
 #[test]

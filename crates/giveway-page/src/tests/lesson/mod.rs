@@ -5,6 +5,7 @@ mod aside;
 mod changes;
 mod evidence;
 mod hand;
+mod taken;
 mod tour;
 
 use giveway_course::lesson::{Layer, Tool as LessonTool};
