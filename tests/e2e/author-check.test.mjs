@@ -54,7 +54,7 @@ describe("a lesson that is written", () => {
     const saving = page.waitForEvent("download");
     await author.press("Save as a file");
     await saving;
-    await author.says(/The solver has not checked all of its tasks\.$/);
+    await author.says(/The solver has not tried all of its tasks; Copy link has it try them\.$/);
 
     await answer(1).getByLabel("Number", { exact: true }).fill("2");
     await author.desk.getByText(wrong).first().waitFor({ state: "detached" });

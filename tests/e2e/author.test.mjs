@@ -102,6 +102,37 @@ describe("a lesson of one's own", () => {
     await course.at("Shut it");
   }, { screens: BOTH, ...MINE });
 
+  flow("begins as a copy of one of the course, and takes the board that is seen", async (playground) => {
+    const course = new Course(playground);
+    const author = new Author(playground);
+    await course.open();
+    await course.contents.getByRole("button", { name: /^Room to pass/ }).click();
+    await course.at("A corridor and a bay");
+    await course.lesson.getByRole("button", { name: "Change it" }).click();
+    await author.says(/^This is a copy of \u{201c}Room to pass\u{201d}\./u);
+    assert.equal(await author.field("Title").inputValue(), "Room to pass");
+    assert.equal(await author.steps.getByRole("listitem").count(), 4);
+    await author.fill("Title", "Room for two");
+    await author.press("Try it");
+    await course.at("A corridor and a bay");
+    await course.lesson.getByRole("button", { name: "Go on writing" }).click();
+    await playground.picture("author-copy");
+    await author.desk.press("Escape");
+    await author.desk.waitFor({ state: "detached" });
+
+    // Another lesson is on the board: that board is taken.
+    await course.open();
+    await course.contents.getByRole("button", { name: /^Two robots, one cell/ }).click();
+    await course.lesson.getByRole("button", { name: "Course" }).click();
+    await course.contents.getByRole("button", { name: "Write your own" }).click();
+    await author.desk.waitFor();
+    assert.equal(await author.field("Title").inputValue(), "Room for two");
+    const before = await author.desk.getByText(/: 2 robots$/).innerText();
+    await author.press("Take the board as it is now");
+    await author.says(/^Board copied into this step\./);
+    assert.notEqual(await author.desk.getByText(/: \d robots$/).innerText(), before);
+  });
+
   flow("is saved as a file that opens when it is dropped, and goes on being written", async (playground, { page }) => {
     const course = new Course(playground);
     const author = new Author(playground);

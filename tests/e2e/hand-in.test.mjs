@@ -127,7 +127,7 @@ describe("the hand-ins of a class", () => {
     await table.getByText("1 task is said to be solved, and is not.").waitFor();
     const rows = await table.locator("tbody tr").allInnerTexts();
     assert.deepEqual(rows.map((row) => row.trim().split(/\s/)[0]), ["Bob", "Cyd", "Ada"], "whom to look at first");
-    await table.getByRole("row", { name: /^Cyd 2 files/ }).waitFor();
+    await table.getByRole("row", { name: /^Cyd the latest of 2 files/ }).waitFor();
     await table.getByRole("button", { name: "says solved, is not, 1 try" }).waitFor();
     const unread = await table.locator(".unr li").allInnerTexts();
     assert.deepEqual(unread.map((line) => line.split("\n")[0]), ["homework.pdf", "cut.json"]);
@@ -144,8 +144,12 @@ describe("the hand-ins of a class", () => {
     const work = page.getByRole("complementary", { name: "A student's work" });
     await work.getByRole("heading", { name: "Bob" }).waitFor();
     await work.getByText("The file says that it is solved.").waitFor();
+    await work.getByText(/^When does the last robot arrive/).waitFor();
+    await work.getByRole("button", { name: "Copy for the student" }).click();
+    await work.getByText("Copied, to be sent to the student.").waitFor();
+    assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^Bob: Room to pass\n1 How long will they need\?: not solved\. Your answer: .*7/);
     await playground.picture("class-work");
-    await work.getByRole("button", { name: "Next to look at" }).click();
+    await work.getByRole("button", { name: "Next to look at (1 of 2)" }).click();
     await work.getByRole("heading", { name: "Cyd" }).waitFor();
     await work.getByRole("button", { name: "Class" }).click();
     await table.waitFor();
@@ -163,7 +167,7 @@ describe("the hand-ins of a class", () => {
     await course.contents.getByRole("button", { name: "Hand-ins" }).click();
     await table.getByRole("button", { name: "Forget them" }).click();
     await page.getByRole("dialog", { name: "Hand-ins of a class" }).waitFor();
-  }, { screens: BOTH });
+  }, { screens: BOTH, permissions: ["clipboard-read", "clipboard-write"] });
 
   flow("of a lesson of one's own are judged once it is dropped, too", async (playground, { page, host }) => {
     const course = new Course(playground);

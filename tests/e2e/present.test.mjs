@@ -135,15 +135,32 @@ describe("a presentation", () => {
     await presentation.says(/^A corridor and a bay /);
     await playground.picture("present-lesson");
     await playground.key("PageDown");
-    await presentation.says(/^How long will they need\? When does the last robot arrive/);
+    await presentation.says(/^How long will they need\? 2 of 4 When does the last robot arrive/);
     await playground.picture("present-task");
     await playground.key("3");
     await presentation.says(/Solved\. /);
+    // Hidden from the room: what is judged, not what is asked.
+    const judged = presentation.said.locator(".judged");
+    await playground.key("h");
+    await judged.waitFor({ state: "hidden" });
+    await presentation.says(/^How long will they need\?/);
+    await playground.key("h");
+    await judged.waitFor();
     await playground.key("PageDown");
     await presentation.says(/^Who gives way\?/);
-    await playground.key("h");
-    await presentation.says(/^$/);
-    await playground.key("h", "PageDown");
+    // What was solved before is asked anew, by a key and by a press.
+    await playground.key("PageUp");
+    await presentation.says(/^How long will they need\? 2 of 4/);
+    await judged.waitFor({ state: "detached" });
+    await playground.key("3");
+    await presentation.says(/Solved\. /);
+    await playground.key("PageDown", "PageUp");
+    await judged.waitFor({ state: "detached" });
+    await presentation.said.getByRole("button", { name: /^3 / }).click();
+    await presentation.says(/Solved\. /);
+    await playground.key("PageDown");
+    await presentation.says(/^Who gives way\?/);
+    await playground.key("PageDown");
     await presentation.says(/^Block one cell /);
     // It does not end with the last step, and goes back.
     await playground.key("PageDown", "PageUp");

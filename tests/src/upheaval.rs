@@ -35,6 +35,7 @@ pub fn changes(instance: &Instance, makespan: u32, seed: u64, number: u64) -> Ve
                     heading: None,
                 },
             },
+            3 if random.random_bool(0.5) => What::StopAgent { agent },
             3 => What::RemoveAgent { agent },
             4..=5 => What::AddObstacle { cell: cell(random) },
             6 => What::RemoveObstacle { cell: cell(random) },

@@ -287,6 +287,7 @@ fn changes_are_accepted() {
         { "at": 4, "change": "add-constraint", "constraint": { "kind": "gap", "steps": 1 } },
         { "at": 5, "change": "remove-constraint", "name": "room" },
         { "at": 5, "change": "remove-constraint", "index": 0 },
+        { "at": 6, "change": "stop-agent", "agent": "A3" },
     ] });
     accepts("changes", &changes);
     for (pointer, bad) in [
@@ -298,6 +299,7 @@ fn changes_are_accepted() {
         ("/changes/3/extra", json!(1)),
         ("/changes/4/constraint/steps", Value::Null),
         ("/changes/5/index", json!(1)),
+        ("/changes/7/steps", json!(2)),
         ("/changes/6/index", json!("room")),
     ] {
         refuses_with("changes", &changes, pointer, bad);

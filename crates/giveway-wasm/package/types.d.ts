@@ -582,6 +582,7 @@ export type Change = { at: number } & (
   | { change: "set-goal" | "add-waypoint" | "drop-waypoint"; agent: string; cell: Cell }
   | { change: "set-battery"; agent: string; level: number }
   | { change: "delay-agent"; agent: string; steps: number }
+  | { change: "stop-agent"; agent: string }
   /** The zone of the rule is one of the scene. */
   | { change: "add-constraint"; constraint: Constraint }
   /** Rules that changes added are numbered on from those of the scene. */

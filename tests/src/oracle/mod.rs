@@ -34,7 +34,7 @@ use giveway_model::{Cell, Cost, Instance, Plan};
 
 use crate::recount;
 
-pub use changed::{Changed, Held, Known, map_after};
+pub use changed::{Changed, Held, Known, map_after, standing};
 pub use contrast::Contrast;
 pub use every::{Course, Every, Where, is_legal};
 use joint::Joint;

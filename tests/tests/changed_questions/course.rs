@@ -189,7 +189,9 @@ impl Course {
         for change in &self.changes.changes {
             match &change.what {
                 What::AddAgent { agent } => agents.push(agent.clone()),
-                What::RemoveAgent { agent } => agents.retain(|other| other.name != *agent),
+                What::RemoveAgent { agent } | What::StopAgent { agent } => {
+                    agents.retain(|other| other.name != *agent);
+                }
                 What::SetGoal { agent, cell } => {
                     agents.iter_mut().find(|a| a.name == *agent)?.goal = Some(*cell);
                 }
@@ -251,7 +253,11 @@ impl Course {
         rest.charges.retain(|_, charges| !charges.is_empty());
         let changed: Vec<Change> = self.changes.changes.clone();
         let scene = Scene {
-            map: oracle::map_after(&scene.map, &changed),
+            map: oracle::standing(
+                oracle::map_after(&scene.map, &changed),
+                &self.before,
+                &changed,
+            ),
             agents,
             ..scene
         };

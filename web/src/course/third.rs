@@ -34,7 +34,7 @@ pub(super) fn show(tutor: &Tutor, open: &Open, step: &Step, reader: Reader<'_>) 
     });
     html! {
         <section class="third" aria-live="polite">
-            <h2>{ step.title.clone() }<small>{ tr!("{step} of {steps}", step = open.index() + 1, steps = open.lesson.steps.len()) }</small></h2>
+            <h2>{ step.title.clone() }{ " " }<small>{ tr!("{step} of {steps}", step = open.index() + 1, steps = open.lesson.steps.len()) }</small></h2>
             <p>{ reader.still(text.spans()) }</p>
             { listed(open, step.task.as_ref(), reader) }
             { to_say(tutor, open, step.task.as_ref(), reader) }

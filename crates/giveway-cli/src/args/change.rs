@@ -20,6 +20,7 @@ CHANGES is JSON: { \"giveway\": 1, \"changes\": [ { \"at\": 2, \"change\": \"add
   set-goal        agent, cell                     set-battery        agent, level
   add-waypoint    agent, cell                     drop-waypoint      agent, cell
   delay-agent     agent, steps: it breaks down for so many steps
+  stop-agent      agent: it breaks down for good, and is an obstacle where it is
   add-constraint  constraint, as in an instance   remove-constraint  name, or index
 Changes of the same time happen together. The past stays as it was. Each later time goes on with
 the plan that was used before.

@@ -2,6 +2,7 @@
 
 mod constraints;
 mod ground;
+mod leave;
 mod look_over;
 
 use std::collections::BTreeMap;
@@ -112,6 +113,7 @@ impl World<'_> {
             What::DropWaypoint { agent, cell } => self.drop_waypoint(agent, *cell),
             What::SetBattery { agent, level } => self.level(agent, *level),
             What::DelayAgent { agent, steps } => self.delay(agent, *steps),
+            What::StopAgent { agent } => self.stop(agent),
             What::AddConstraint { constraint } => self.add_constraint(index, constraint),
             What::RemoveConstraint { constraint } => self.remove_constraint(constraint),
         };
@@ -138,6 +140,7 @@ impl World<'_> {
             return Err(refuse::unknown(name));
         };
         match self.after.timelines.get(index) {
+            Some(timeline) if timeline.stands().is_some() => Err(refuse::stopped(name)),
             Some(timeline) if timeline.until.is_some() => Err(refuse::removed(name)),
             Some(timeline) if is_gone(timeline) => Err(refuse::vanished(name, at)),
             _ => {
@@ -175,16 +178,6 @@ impl World<'_> {
         let timeline = Timeline::new(agent.clone(), self.at);
         self.after.timelines.push(timeline);
         self.placed.push((index, agent.name.clone(), agent.start));
-        Ok(())
-    }
-
-    fn remove(&mut self, name: &str) -> Result<(), Reason> {
-        let at = self.at;
-        let timeline = self.timeline(name)?;
-        if timeline.from == at && at > 0 {
-            return Err(refuse::just_added(name));
-        }
-        timeline.until = Some(at);
         Ok(())
     }
 

@@ -18,7 +18,7 @@ use crate::object_only;
 use crate::{Agent, Cell, Constraint, Fault, Version, sorting};
 
 pub use history::{Epoch, History};
-pub use timeline::{TimedWaypoint, Timeline};
+pub use timeline::{Stopped, TimedWaypoint, Timeline};
 pub use trajectory::{Trajectory, Whereabouts};
 
 /// The latest time at which something may change, in steps.
@@ -193,6 +193,12 @@ pub enum What {
         agent: String,
         /// How long, in steps.
         steps: u32,
+    },
+    /// An agent breaks down for good: it stands where it is, from the end of a slow move under
+    /// way, as an obstacle with its name, and leaves all costs.
+    StopAgent {
+        /// Its name.
+        agent: String,
     },
     /// A rule of the scene's own begins to hold. Its zone is one of the scene: a change
     /// brings no zone of its own.

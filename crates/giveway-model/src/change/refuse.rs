@@ -44,6 +44,24 @@ pub(super) fn removed(name: &str) -> Reason {
     )
 }
 
+pub(super) fn stopped(name: &str) -> Reason {
+    reason(
+        tr!("{name}, which has broken down for good", name),
+        tr_later!("a robot that still runs; only remove-agent takes this one away"),
+    )
+}
+
+pub(super) fn stands_at(cell: Cell, name: &str) -> Reason {
+    reason(
+        tr!(
+            "the obstacle at {cell}, which is {name}, broken down for good",
+            cell,
+            name
+        ),
+        tr_later!("remove-agent with its name, which takes it away"),
+    )
+}
+
 pub(super) fn vanished(name: &str, at: u32) -> Reason {
     reason(
         tr!("{name}, which has vanished by time {at}", name, at),

@@ -1,6 +1,6 @@
 //! The timeline of an agent: its task, and the changes to it over time.
 
-use crate::{Agent, Battery, Cell, sorting};
+use crate::{Agent, Battery, Cell, Ground, Path, sorting};
 
 /// A waypoint of an agent, for as long as it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,17 @@ pub struct TimedWaypoint {
     pub dropped: Option<u32>,
 }
 
+/// Where an agent stands that broke down for good.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped {
+    /// The cell, which is an obstacle for as long as it stands there.
+    pub cell: Cell,
+    /// What that cell was before.
+    pub ground: Ground,
+    /// The time from which it stands there no more, where it was taken away.
+    pub until: Option<u32>,
+}
+
 /// An agent over time. Where several things are of one time, the last counts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Timeline {
@@ -20,8 +31,10 @@ pub struct Timeline {
     pub agent: Agent,
     /// The time at which it appeared.
     pub from: u32,
-    /// The time from which it is gone, where it was removed.
+    /// The time from which it is gone, where it was removed, or broke down for good.
     pub until: Option<u32>,
+    /// Where it stands since then, where it broke down for good.
+    pub stopped: Option<Stopped>,
     /// Other goals than the agent's first, each with its time; ascending.
     pub goals: Vec<(u32, Cell)>,
     /// All waypoints that it ever had.
@@ -43,6 +56,7 @@ impl Timeline {
         Self {
             from,
             until: None,
+            stopped: None,
             goals: Vec::new(),
             waypoints: agent.waypoints.iter().map(waypoint).collect(),
             levels: Vec::new(),
@@ -54,6 +68,26 @@ impl Timeline {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.agent.name
+    }
+
+    /// Where it stands now as an obstacle; `None` where it did not break down for good, or was
+    /// taken away since.
+    pub fn stands(&self) -> Option<Stopped> {
+        self.stopped.filter(|stopped| stopped.until.is_none())
+    }
+
+    /// What a plan lists of it, where it broke down for good: up to the time from which it stands,
+    /// as the plan has it there. One that rested is listed up to that time, too. `None` where it
+    /// did not break down.
+    pub(crate) fn stood(&self, path: &[Option<Cell>]) -> Option<Path> {
+        let until = self.until.filter(|_| self.stopped.is_some())?;
+        let index = until.saturating_sub(self.from) as usize;
+        let in_transit = path.get(index).is_some_and(Option::is_none);
+        let length = index + 1 + usize::from(in_transit);
+        let last = path.last().copied().flatten();
+        let mut listed: Path = path.iter().take(length).copied().collect();
+        listed.resize(length, last);
+        Some(listed)
     }
 
     /// Its goal now, after all changes; `None` where it may rest at any cell.

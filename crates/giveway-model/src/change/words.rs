@@ -74,6 +74,7 @@ impl What {
                     agent
                 )
             }
+            Self::StopAgent { agent } => tr!("{agent} breaks down for good", agent),
             Self::AddConstraint { constraint } => {
                 let sentence = constraint.sentence();
                 return match &constraint.name {

@@ -61,11 +61,12 @@ enum Kind {
     DropWaypoint,
     SetBattery,
     DelayAgent,
+    StopAgent,
     AddConstraint,
     RemoveConstraint,
 }
 
-const KINDS: [(&str, Kind); 16] = [
+const KINDS: [(&str, Kind); 17] = [
     ("add-agent", Kind::AddAgent),
     ("remove-agent", Kind::RemoveAgent),
     ("add-obstacle", Kind::AddObstacle),
@@ -80,6 +81,7 @@ const KINDS: [(&str, Kind); 16] = [
     ("drop-waypoint", Kind::DropWaypoint),
     ("set-battery", Kind::SetBattery),
     ("delay-agent", Kind::DelayAgent),
+    ("stop-agent", Kind::StopAgent),
     ("add-constraint", Kind::AddConstraint),
     ("remove-constraint", Kind::RemoveConstraint),
 ];
@@ -169,6 +171,7 @@ impl From<Change> for Written {
                 steps: Some(steps),
                 ..of(Kind::DelayAgent, agent)
             },
+            What::StopAgent { agent } => of(Kind::StopAgent, agent),
             What::AddConstraint { constraint } => Self {
                 constraint: Some(constraint),
                 ..empty(Kind::AddConstraint)

@@ -17,6 +17,10 @@ impl Snapshot<'_> {
         plan.charges.clear();
         for timeline in self.history.timelines() {
             let name = timeline.name();
+            if let Some(path) = timeline.stood(self.plan.path(name)) {
+                self.stand(timeline, path, &mut plan);
+                continue;
+            }
             let goes_on = self.number(timeline);
             let is_removed = match goes_on {
                 Some(_) => !rest.paths.contains_key(name),
@@ -47,6 +51,19 @@ impl Snapshot<'_> {
         plan.charges.retain(|_, charges| !charges.is_empty());
         plan.slept.retain(|_, slept| !slept.is_empty());
         plan
+    }
+
+    /// Adds an agent that has broken down for good.
+    fn stand(&self, timeline: &Timeline, path: Path, plan: &mut Plan) {
+        let name = timeline.name().to_owned();
+        let until = timeline.until.unwrap_or(self.at);
+        let charges = self.plan.charges(&name).iter().copied();
+        let charges = charges.filter(|&time| time < until).collect();
+        if timeline.from > 0 {
+            plan.from.insert(name.clone(), timeline.from);
+        }
+        plan.charges.insert(name.clone(), charges);
+        plan.paths.insert(name, path);
     }
 
     /// The judge's verdict on a plan of the rest: that on the whole plan, in the world of

@@ -17,9 +17,9 @@ fn every_kind_is_read_and_written_again() {
     let all = "0 add-agent A 00 10 battery 3/4; 1 remove-agent B; 1 add-obstacle 00; \
         2 remove-obstacle 00; 2 move-obstacle 00 10; 3 set-slow 00 10; 3 set-normal 00; \
         4 add-charger 00; 4 remove-charger 00; 5 set-goal A 10; 5 add-waypoint A 10; \
-        6 drop-waypoint A 10; 6 set-battery A 2; 7 delay-agent A 3";
+        6 drop-waypoint A 10; 6 set-battery A 2; 7 delay-agent A 3; 8 stop-agent A";
     let changes = changes(all);
-    assert_eq!(changes.changes.len(), 14);
+    assert_eq!(changes.changes.len(), 15);
     let text = serde_json::to_string(&changes).unwrap();
     assert_eq!(read_changes(&text).unwrap(), changes);
     let last = &changes.changes[13];
@@ -68,7 +68,7 @@ fn what_is_wrong_with_a_file_has_a_place() {
         r#"{ "at": 1, "change": "grow" }"#,
         "line 2, column 36: changes[0].change: found \"grow\", expected one of add-agent remove-agent \
          add-obstacle remove-obstacle move-obstacle set-slow set-normal add-charger remove-charger \
-         set-goal add-waypoint drop-waypoint set-battery delay-agent add-constraint \
+         set-goal add-waypoint drop-waypoint set-battery delay-agent stop-agent add-constraint \
          remove-constraint",
     );
 }

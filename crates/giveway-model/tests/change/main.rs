@@ -10,6 +10,7 @@ mod broken;
 mod files;
 mod refused;
 mod rules;
+mod stopped;
 mod valid;
 
 use giveway_model::change::Changes;
@@ -119,7 +120,7 @@ fn change(line: &str) -> String {
     let words: Vec<&str> = rest.split(' ').collect();
     let keys = match kind {
         "add-agent" => format!(r#""agent": {}"#, agent(rest)),
-        "remove-agent" => format!(r#""agent": "{rest}""#),
+        "remove-agent" | "stop-agent" => format!(r#""agent": "{rest}""#),
         "set-slow" | "set-normal" => {
             let cells: Vec<String> = words.iter().map(|word| cell(word)).collect();
             format!(r#""cells": [{}]"#, cells.join(", "))

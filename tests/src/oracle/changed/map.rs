@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use giveway_model::Cell;
 use giveway_model::change::{Change, What};
+use giveway_model::{Cell, Plan};
 
 use super::super::world::World;
 
@@ -33,6 +33,25 @@ pub fn edited(rows: &[String], changes: &[Change]) -> Vec<String> {
             What::AddCharger { cell } => set(cell, &charger),
             What::RemoveCharger { cell } => set(cell, &none),
             _ => {}
+        }
+    }
+    rows.iter().map(|row| row.iter().collect()).collect()
+}
+
+/// The map with an obstacle where each agent stands that breaks down for good, as its plan has it:
+/// at the end of a slow move under way.
+pub fn standing(rows: Vec<String>, plan: &Plan, changes: &[Change]) -> Vec<String> {
+    let mut rows: Vec<Vec<char>> = rows.iter().map(|row| row.chars().collect()).collect();
+    for change in changes {
+        let What::StopAgent { agent } = &change.what else {
+            continue;
+        };
+        let path = plan.path(agent);
+        let from = plan.from.get(agent).copied().unwrap_or(0);
+        let now = change.at.saturating_sub(from) as usize;
+        let place = path.iter().skip(now).flatten().next();
+        if let Some(cell) = place.or(path.iter().flatten().last()) {
+            rows[cell.y as usize][cell.x as usize] = '#';
         }
     }
     rows.iter().map(|row| row.iter().collect()).collect()

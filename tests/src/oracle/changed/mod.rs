@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use giveway_model::change::{Change, What};
 use giveway_model::{Agent, Cell, Cost, Instance, Plan};
 
-pub use self::map::edited as map_after;
 use self::map::{around, edited};
+pub use self::map::{edited as map_after, standing};
 use self::robot::{Place, Robot, UNLIMITED};
 use super::world::World;
 
@@ -89,16 +89,20 @@ impl Changed {
             at,
             stays,
             floor: instance.rules().battery_floor,
-            world: World::new(&edited(&scene.map, changes)),
+            world: World::new(&standing(edited(&scene.map, changes), plan, changes)),
             robots: Vec::new(),
             costs: costs.to_vec(),
             past: BTreeMap::new(),
             latest: 0,
         };
         for agent in instance.agents() {
-            let mut whats = changes.iter().map(|change| &change.what);
-            if whats.any(|w| matches!(w, What::RemoveAgent { agent: name } if *name == agent.name))
-            {
+            let leaves = |change: &Change| match &change.what {
+                What::RemoveAgent { agent: name } | What::StopAgent { agent: name } => {
+                    *name == agent.name
+                }
+                _ => false,
+            };
+            if changes.iter().any(leaves) {
                 continue;
             }
             changed.go_on(agent, plan, changes)?;

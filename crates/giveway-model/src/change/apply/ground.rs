@@ -1,6 +1,6 @@
 //! Obstacles, the slow zone and chargers that changes put and take away.
 
-use super::{Reason, World, refuse};
+use super::{Reason, Timeline, World, refuse};
 use crate::{Cell, Ground};
 
 impl World<'_> {
@@ -21,6 +21,11 @@ impl World<'_> {
     pub(super) fn unblock(&mut self, cell: Cell) -> Result<(), Reason> {
         if self.ground(cell)? != Ground::Obstacle {
             return Err(refuse::no_obstacle(cell));
+        }
+        let mut timelines = self.after.timelines.iter();
+        let stands = |timeline: &&Timeline| timeline.stands().is_some_and(|it| it.cell == cell);
+        if let Some(timeline) = timelines.find(stands) {
+            return Err(refuse::stands_at(cell, timeline.name()));
         }
         self.grid.set_ground(cell, Ground::Free);
         self.obstacles.remove(&cell);

@@ -82,6 +82,9 @@ impl Keys {
                 agent: self.name()?,
                 steps: self.0.steps.take().ok_or_else(|| missing("steps"))?,
             },
+            Kind::StopAgent => What::StopAgent {
+                agent: self.name()?,
+            },
             Kind::AddConstraint => What::AddConstraint {
                 constraint: self
                     .0

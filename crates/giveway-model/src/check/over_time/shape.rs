@@ -2,8 +2,8 @@
 
 use super::super::findings::{Findings, Place};
 use super::super::{Rule, sentence, shape};
-use crate::Plan;
 use crate::change::{History, Timeline};
+use crate::{Cell, Plan};
 
 pub(super) fn find(history: &History, plan: &Plan, findings: &mut Findings<'_>) {
     let timelines = history.timelines();
@@ -34,18 +34,19 @@ fn find_times(timeline: &Timeline, plan: &Plan, index: usize, findings: &mut Fin
         let message = sentence::wrong_from(name, from, timeline.from);
         shape::push(findings, index, from, message);
     }
+    // The path of one that broke down for good says by itself where it ends.
+    let removed = timeline.until.filter(|_| timeline.stopped.is_none());
     let until = plan.until.get(name).copied();
-    if until != timeline.until {
-        let message = sentence::wrong_until(name, until, timeline.until);
-        shape::push(
-            findings,
-            index,
-            until.or(timeline.until).unwrap_or(0),
-            message,
-        );
+    if until != removed {
+        let message = sentence::wrong_until(name, until, removed);
+        shape::push(findings, index, until.or(removed).unwrap_or(0), message);
+    }
+    let path = plan.path(name);
+    if let Some(stood) = timeline.stood(path) {
+        find_where_it_stands(timeline, path, &stood, index, findings);
+        return;
     }
     let Some(until) = timeline.until else { return };
-    let path = plan.path(name);
     let listed = path.len() as u32;
     let due = until.saturating_sub(timeline.from);
     // An agent that had arrived was at its last cell.
@@ -54,6 +55,34 @@ fn find_times(timeline: &Timeline, plan: &Plan, index: usize, findings: &mut Fin
     if listed > due || (listed < due && !(arrived && listed > 0)) {
         let last = timeline.from + listed.saturating_sub(1);
         let message = sentence::wrong_end(name, last, until);
+        findings.push(
+            Rule::Shape,
+            last as usize,
+            &[index],
+            Place::Nowhere,
+            message,
+        );
+    }
+}
+
+/// The path of one that broke down for good ends at the time from which it stands; or earlier,
+/// where it rested.
+fn find_where_it_stands(
+    timeline: &Timeline,
+    path: &[Option<Cell>],
+    stood: &[Option<Cell>],
+    index: usize,
+    findings: &mut Findings<'_>,
+) {
+    let name = timeline.name();
+    let last = path.last().copied().flatten();
+    let rests = last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal));
+    let is_short = path.len() < stood.len();
+    if path.len() > stood.len() || (is_short && !rests) {
+        let from = timeline.from;
+        let last = from + (path.len() as u32).saturating_sub(1);
+        let due = from + (stood.len() as u32).saturating_sub(1);
+        let message = sentence::wrong_stand(name, last, due);
         findings.push(
             Rule::Shape,
             last as usize,

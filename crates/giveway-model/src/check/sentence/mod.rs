@@ -9,7 +9,8 @@ use crate::{Cell, Constraint, tr};
 
 pub(super) use table::{
     begins_in_transit, charge_repeated, charges_unsorted, empty_path, ends_in_transit,
-    needs_changes, no_path, only_transit, stranger, wrong_end, wrong_from, wrong_until,
+    needs_changes, no_path, only_transit, stranger, wrong_end, wrong_from, wrong_stand,
+    wrong_until,
 };
 
 pub(super) fn no_slow_edge(agent: &str, from: Cell, time: u32) -> String {

@@ -96,6 +96,15 @@ pub(in crate::check) fn wrong_end(agent: &str, last: u32, until: u32) -> String 
     )
 }
 
+pub(in crate::check) fn wrong_stand(agent: &str, last: u32, due: u32) -> String {
+    tr!(
+        "The path of {agent} ends at time {last}, but it has broken down for good and stands from time {due} on, so its last entry must be that.",
+        agent,
+        last,
+        due
+    )
+}
+
 pub(in crate::check) fn charge_repeated(agent: &str, time: u32) -> String {
     tr!(
         "The charges of {agent} list time {time} twice.",
