@@ -10,7 +10,6 @@ use giveway_model::{Cell, tr, tr_data};
 
 use super::Changing;
 use super::meets::{met_by, stands};
-use super::stopped::obstacle_of;
 use crate::Edit;
 use crate::timeline::Lane;
 use crate::words::at;
@@ -78,10 +77,7 @@ pub(super) fn breakdowns(changing: &Changing) -> Vec<Breakdown> {
 fn listed_breakdown(changing: &Changing, index: usize) -> Option<(String, Option<u32>)> {
     match changing.list.get(index)? {
         What::DelayAgent { agent, steps } => Some((agent.clone(), Some(*steps))),
-        What::RemoveAgent { agent } => {
-            obstacle_of(changing.about.plan(), &changing.list, changing.at, index)?;
-            Some((agent.clone(), None))
-        }
+        What::StopAgent { agent } => Some((agent.clone(), None)),
         _ => None,
     }
 }
@@ -227,12 +223,9 @@ impl Changing {
         (first, self.about.makespan().max(first))
     }
 
-    /// Whether a listed change is a part of a breakdown.
-    pub(super) fn is_of_breakdown(&self, index: usize) -> bool {
-        let plan = self.about.plan();
-        let obstacle = |other: usize| obstacle_of(plan, &self.list, self.at, other);
-        let own = listed_breakdown(self, index).is_some();
-        own || (0..self.list.len()).any(|other| obstacle(other).is_some_and(|it| it.0 == index))
+    /// Whether a listed change is a breakdown.
+    pub(super) fn is_breakdown(&self, index: usize) -> bool {
+        listed_breakdown(self, index).is_some()
     }
 
     /// The robot of the last breakdown of the list, by its index.

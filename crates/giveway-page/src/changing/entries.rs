@@ -1,13 +1,12 @@
 //! The entries of a list of changes: what is done to the ground of several cells one after the other
-//! is one entry, and so is a robot that breaks down for good, with the obstacle that it becomes.
+//! is one entry.
 
 use std::mem::discriminant;
 
 use giveway_model::change::What;
-use giveway_model::{Cell, Plan, tr};
+use giveway_model::{Plan, tr};
 
-use super::listed::whose;
-use super::stopped::obstacle_of;
+use super::stopped::stand;
 use crate::words::at as at_cell;
 
 /// One or several changes that are told and taken back together.
@@ -17,8 +16,6 @@ pub(crate) struct Entry {
     pub(crate) changes: Vec<usize>,
     /// The first of them in words: `New obstacle at (3, 4)`.
     first: String,
-    /// Where a robot stays that breaks down for good.
-    pub(crate) stays: Option<Cell>,
 }
 
 impl Entry {
@@ -28,51 +25,40 @@ impl Entry {
     }
 
     /// How many changes there are beside the one that its words begin with.
-    fn more(&self) -> usize {
-        match self.stays {
-            Some(_) => 0,
-            None => self.changes.len() - 1,
-        }
+    const fn more(&self) -> usize {
+        self.changes.len() - 1
     }
 }
 
 /// The entries of the changes of a time, in their order.
 pub(crate) fn entries(plan: Option<&Plan>, list: &[What], at: u32) -> Vec<Entry> {
-    let stop = |index: usize| obstacle_of(plan, list, at, index);
-    let taken: Vec<usize> = (0..list.len())
-        .filter_map(|index| Some(stop(index)?.0))
-        .collect();
     let mut entries: Vec<Entry> = Vec::new();
     for (index, what) in list.iter().enumerate() {
-        if taken.contains(&index) {
-            continue;
-        }
-        if let (Some((obstacle, cell)), Some(agent)) = (stop(index), whose(what)) {
-            entries.push(Entry {
-                changes: vec![index, obstacle],
-                first: tr!(
-                    "{agent} breaks down for good at {cell}",
-                    agent,
-                    cell = at_cell(cell)
-                ),
-                stays: Some(cell),
-            });
-            continue;
-        }
         let before = entries.last_mut().filter(|entry| {
             let last = entry.changes.last().and_then(|&last| list.get(last));
-            entry.stays.is_none() && last.is_some_and(|last| is_the_same_elsewhere(last, what))
+            last.is_some_and(|last| is_the_same_elsewhere(last, what))
         });
         match before {
             Some(entry) => entry.changes.push(index),
             None => entries.push(Entry {
                 changes: vec![index],
-                first: what.sentence().0,
-                stays: None,
+                first: told(plan, what, at),
             }),
         }
     }
     entries
+}
+
+/// A change in words; of a breakdown for good where it is, too.
+fn told(plan: Option<&Plan>, what: &What, at: u32) -> String {
+    match what {
+        What::StopAgent { agent } if let Some(cell) = stand(plan, agent, at) => tr!(
+            "{agent} breaks down for good at {cell}",
+            agent,
+            cell = at_cell(cell)
+        ),
+        what => what.sentence().0,
+    }
 }
 
 /// The first of the entries of a time in words, and how many more changes there are.
@@ -109,6 +95,7 @@ fn is_the_same_elsewhere(one: &What, next: &What) -> bool {
         | What::DropWaypoint { .. }
         | What::SetBattery { .. }
         | What::DelayAgent { .. }
+        | What::StopAgent { .. }
         | What::AddConstraint { .. }
         | What::RemoveConstraint { .. } => false,
     };

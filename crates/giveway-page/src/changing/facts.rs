@@ -92,7 +92,7 @@ pub fn facts(state: &State) -> Option<Facts> {
         list: list(changing, rules),
         warnings: meets
             .iter()
-            .filter(|(index, _)| !changing.is_of_breakdown(*index))
+            .filter(|(index, _)| !changing.is_breakdown(*index))
             .map(|(_, text)| text.clone())
             .collect(),
         meets: meets.into_iter().map(|(_, text)| text).collect(),
@@ -113,14 +113,15 @@ fn list(changing: &Changing, rules: &[Constraint]) -> Vec<Listed> {
     let row = |entry: Entry| {
         let index = *entry.changes.first()?;
         let listed = listed(changing, index, changing.list.get(index)?, rules);
-        Some(match (entry.stays, entry.changes.len()) {
-            (Some(_), _) => Listed {
+        let stays = matches!(changing.list.get(index)?, What::StopAgent { .. });
+        Some(match (stays, entry.changes.len()) {
+            (true, _) => Listed {
                 text: entry.text(),
                 detail: Some(tr!("it stays there as an obstacle").to_owned()),
                 ..listed
             },
-            (None, 1) => listed,
-            (None, _) => Listed {
+            (false, 1) => listed,
+            (false, _) => Listed {
                 text: entry.text(),
                 ..listed
             },

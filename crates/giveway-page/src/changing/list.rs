@@ -29,11 +29,7 @@ impl Changing {
         let mut refused = None;
         let mut parts = Vec::new();
         for edit in edits {
-            let made = match edit {
-                Edit::Stop(agent) => self.stop(*agent),
-                edit => world::changes(edit, self.draft()),
-            };
-            match made {
+            match world::changes(edit, self.draft()) {
                 Ok(part) => parts.push(part),
                 Err(sentence) => refused = refused.or(Some(sentence)),
             }

@@ -26,6 +26,12 @@ pub(super) fn add(list: &mut Vec<What>, what: What) {
                 list.push(What::RemoveAgent { agent });
             }
         }
+        // What else was to become of it does not any more; that it joins then stays, and is refused.
+        What::StopAgent { agent } => {
+            let joins = |what: &What| matches!(what, What::AddAgent { .. });
+            list.retain(|other| joins(other) || whose(other) != Some(agent.as_str()));
+            list.push(What::StopAgent { agent });
+        }
         What::SetGoal { agent, cell } => {
             if let Some(added) = added(list, &agent) {
                 added.goal = Some(cell);
@@ -163,7 +169,8 @@ pub(super) fn whose(what: &What) -> Option<&str> {
         | What::AddWaypoint { agent, .. }
         | What::DropWaypoint { agent, .. }
         | What::SetBattery { agent, .. }
-        | What::DelayAgent { agent, .. } => Some(agent),
+        | What::DelayAgent { agent, .. }
+        | What::StopAgent { agent } => Some(agent),
         What::AddObstacle { .. }
         | What::RemoveObstacle { .. }
         | What::MoveObstacle { .. }

@@ -28,6 +28,13 @@ pub(super) fn meets(changing: &Changing) -> Vec<(usize, String)> {
                 let to = from.saturating_add(*steps);
                 (cell, from, to, Some(agent.as_str()), agent.clone())
             }
+            What::StopAgent { agent } => {
+                let Some(lane) = others(changing).find(|lane| lane.name == *agent) else {
+                    continue;
+                };
+                let (cell, from) = stands(&lane, changing.at);
+                (cell, from, u32::MAX, Some(agent.as_str()), agent.clone())
+            }
             What::RemoveObstacle { .. }
             | What::SetSlow { .. }
             | What::SetNormal { .. }

@@ -72,6 +72,9 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
             agent: name(*agent),
             steps: *steps,
         },
+        Edit::Stop(agent) => What::StopAgent {
+            agent: name(*agent),
+        },
         Edit::SetStart(..) => {
             return Err(tr_data!(
                 "Where a robot started is settled while its plan runs."
@@ -83,9 +86,7 @@ pub(crate) fn changes(edit: &Edit, world: &Draft) -> Result<Vec<What>, Sentence>
         Edit::Rules(RuleEdit::Remove(rule)) => What::RemoveConstraint {
             constraint: ConstraintRef::Index(u32::try_from(*rule).unwrap_or(u32::MAX)),
         },
-        // Where it stands then the world as it is at a time does not know.
-        Edit::Stop(_)
-        | Edit::SetBattery(_, None)
+        Edit::SetBattery(_, None)
         | Edit::Rename(..)
         | Edit::Face(..)
         | Edit::Name(_)

@@ -185,7 +185,7 @@ fn cost_changes(changing: &Changing, before: Option<Costs>, after: &Costs) -> Ve
 /// The robots that are gone from now on.
 fn gone(changing: &Changing) -> Vec<String> {
     let gone = changing.list.iter().filter_map(|what| match what {
-        What::RemoveAgent { agent } => Some(agent.clone()),
+        What::RemoveAgent { agent } | What::StopAgent { agent } => Some(agent.clone()),
         What::AddAgent { .. }
         | What::AddObstacle { .. }
         | What::RemoveObstacle { .. }

@@ -48,6 +48,7 @@ fn kind(what: &What) -> (char, String) {
         What::DropWaypoint { agent, cell } => ('d', of(agent, cell)),
         What::SetBattery { agent, level } => ('b', format!("{}.{level}", escape(agent))),
         What::DelayAgent { agent, steps } => ('p', format!("{}.{steps}", escape(agent))),
+        What::StopAgent { agent } => ('h', escape(agent)),
         What::AddConstraint { constraint } => ('l', escape(&message::write(constraint))),
         What::RemoveConstraint { constraint } => ('u', escape(&message::write(constraint))),
     }
@@ -146,6 +147,9 @@ fn read_one(text: &str) -> Option<Change> {
         'p' => What::DelayAgent {
             agent: name()?,
             steps: count()?,
+        },
+        'h' => What::StopAgent {
+            agent: unescape(rest)?,
         },
         'l' => What::AddConstraint {
             constraint: message::read(&unescape(rest)?)?,

@@ -59,6 +59,8 @@ fn for_good_it_stays_as_an_obstacle_with_its_name() {
     let adopted = after(&found, [Action::Change(ChangeAction::Adopt(2)), seek(2)]);
     assert_eq!(adopted.phase(), Phase::Planned);
     assert_eq!(broken_down_for_good(&adopted), named);
+    let again = crate::link::kept(&crate::link::keep(&adopted)).unwrap();
+    assert_eq!(broken_down_for_good(&after(&again, [seek(2)])), named);
     let answer = adopted.shown().unwrap();
     let past = history(answer);
     let said = format!("A1 breaks down for good at {cell}");
