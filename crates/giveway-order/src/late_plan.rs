@@ -16,7 +16,7 @@ pub(crate) fn late_plan(graph: &OrderGraph<'_>, begins: &[Time]) -> Plan {
     for way in &graph.ways {
         let carried = Carried { graph, begins, way };
         let name = way.name().to_owned();
-        plan.paths.insert(name.clone(), carried.path());
+        plan.paths.insert(name.clone(), carried.stood());
         if graph.plan.charges.contains_key(&name) {
             plan.charges.insert(name.clone(), carried.charges());
         }
@@ -84,6 +84,34 @@ impl Carried<'_, '_> {
             Some(until) => until.saturating_sub(1),
             None => arrives.max(self.way.trajectory.end()),
         }
+    }
+
+    /// Its path; one that breaks down for good is listed up to the time from which it stands: where
+    /// the plan has it, or where it is by then, late.
+    fn stood(&self) -> Path {
+        let mut path = self.path();
+        let timeline = self.way.trajectory.timeline;
+        let planned = self.graph.plan.path(self.way.name());
+        let Some(stood) = timeline.stood(planned) else {
+            return path;
+        };
+        if stood.starts_with(&path) {
+            return stood;
+        }
+        // What it began before is completed.
+        let until = self.last() + 1;
+        let come = self
+            .stays()
+            .take_while(|stay| stay.arrives <= until)
+            .count();
+        let left = |stay: CarriedStay<'_>| stay.leaves.is_some_and(|leaves| leaves < until);
+        let is_away = self.stays().nth(come.saturating_sub(1)).is_some_and(left);
+        let cell = |place: usize| self.way.stays.get(place).map(|stay| stay.cell);
+        match cell(come).filter(|_| is_away) {
+            Some(head) => path.extend([None, Some(head)]),
+            None => path.push(cell(come.saturating_sub(1))),
+        }
+        path
     }
 
     fn path(&self) -> Path {

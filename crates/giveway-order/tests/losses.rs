@@ -117,3 +117,46 @@ fn what_changes_does_so_at_its_own_time() {
         );
     });
 }
+
+/// A robot that breaks down for good is carried out up to where it stands; late, that is elsewhere.
+#[test]
+fn who_breaks_down_for_good_stands_where_it_is_by_then() {
+    let instance = read_instance(
+        r#"{ "giveway": 1, "map": ["......", "......"], "agents": [
+            { "name": "A", "start": [0, 0], "goal": [5, 0] },
+            { "name": "B", "start": [0, 1], "goal": [3, 1] }] }"#,
+    )
+    .unwrap();
+    let changes =
+        r#"{ "giveway": 1, "changes": [{ "at": 3, "change": "stop-agent", "agent": "A" }] }"#;
+    let changes = read_changes(changes).unwrap();
+    let plan = read_plan(
+        r#"{ "giveway": 1, "paths": { "A": [[0, 0], [1, 0], [2, 0], [3, 0]],
+            "B": [[0, 1], [1, 1], [2, 1], [3, 1]] } }"#,
+    )
+    .unwrap();
+    assert!(
+        check_changes(&instance, &changes, &plan)
+            .unwrap()
+            .is_valid()
+    );
+    let history = History::of(&instance, &changes, &plan).unwrap();
+    let graph = OrderGraph::new(&history, &changes, &plan).unwrap();
+    assert_eq!(graph.late(&instance, &[]).unwrap().plan, plan);
+    let late = Lateness {
+        agent: "A".to_owned(),
+        cell: giveway_model::Cell::new(1, 0),
+        visit: 1,
+        steps: 1,
+    };
+    let carried = graph.late(&instance, &[late]).unwrap().plan;
+    let cells: Vec<u32> = carried
+        .path("A")
+        .iter()
+        .flatten()
+        .map(|cell| cell.x)
+        .collect();
+    assert_eq!((cells.len(), cells.last()), (4, Some(&2)), "{carried:?}");
+    let report = check_changes(&instance, &changes, &carried).unwrap();
+    assert!(report.is_valid(), "{:?}", report.violations);
+}

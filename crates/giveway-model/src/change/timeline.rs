@@ -79,7 +79,7 @@ impl Timeline {
     /// What a plan lists of it, where it broke down for good: up to the time from which it stands,
     /// as the plan has it there. One that rested is listed up to that time, too. `None` where it
     /// did not break down.
-    pub(crate) fn stood(&self, path: &[Option<Cell>]) -> Option<Path> {
+    pub fn stood(&self, path: &[Option<Cell>]) -> Option<Path> {
         let until = self.until.filter(|_| self.stopped.is_some())?;
         let index = until.saturating_sub(self.from) as usize;
         let in_transit = path.get(index).is_some_and(Option::is_none);
