@@ -254,7 +254,7 @@ impl Course {
         let changed: Vec<Change> = self.changes.changes.clone();
         let scene = Scene {
             map: oracle::standing(
-                oracle::map_after(&scene.map, &changed),
+                &oracle::map_after(&scene.map, &changed),
                 &self.before,
                 &changed,
             ),

@@ -40,7 +40,7 @@ pub fn edited(rows: &[String], changes: &[Change]) -> Vec<String> {
 
 /// The map with an obstacle where each agent stands that breaks down for good, as its plan has it:
 /// at the end of a slow move under way.
-pub fn standing(rows: Vec<String>, plan: &Plan, changes: &[Change]) -> Vec<String> {
+pub fn standing(rows: &[String], plan: &Plan, changes: &[Change]) -> Vec<String> {
     let mut rows: Vec<Vec<char>> = rows.iter().map(|row| row.chars().collect()).collect();
     for change in changes {
         let What::StopAgent { agent } = &change.what else {

@@ -89,7 +89,7 @@ impl Changed {
             at,
             stays,
             floor: instance.rules().battery_floor,
-            world: World::new(&standing(edited(&scene.map, changes), plan, changes)),
+            world: World::new(&standing(&edited(&scene.map, changes), plan, changes)),
             robots: Vec::new(),
             costs: costs.to_vec(),
             past: BTreeMap::new(),
