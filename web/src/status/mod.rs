@@ -151,6 +151,10 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     };
     let is_asked = state.document.mode.asking().is_some();
     let is_drawing = state.intake.job().is_some_and(Job::is_picture);
+    let going_on = tr!(
+        "Go on from here, for {n} s (Ctrl Enter)",
+        n = state.seconds_to_go_on()
+    );
     let (class, title, action) = match phase {
         _ if is_drawing => (
             "primary",
@@ -188,7 +192,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
         }
         Phase::Stopped => (
             "outline",
-            tr!("Go on from here (Ctrl Enter)"),
+            going_on.as_str(),
             Action::Solve(SolveAction::Solve),
         ),
         // What is being made comes first.
@@ -224,7 +228,7 @@ fn solve_button(state: &Shown, send: &Callback<Action>) -> Html {
     part::<Turning>(TurningProps {
         meaning: word.into(),
         class: classes!("btn", class),
-        title: Some(title.into()),
+        title: Some(title.to_owned().into()),
         label: None,
         is_off: false,
         is_toggle: false,

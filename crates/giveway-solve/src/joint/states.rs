@@ -178,6 +178,7 @@ impl<'a> States<'a> {
 ///
 /// # Errors
 /// When the budget is spent.
+#[inline(never)]
 pub(super) fn reached_alone(
     problem: &Problem,
     agent: AgentId,

@@ -8,6 +8,7 @@ use giveway_solve::plan::Planner;
 use giveway_solve::{Limits, SolveRequest, Status};
 
 use super::tightened;
+use super::time::seconds;
 use crate::front::has_front;
 use crate::problems::Problem;
 use crate::reduce::{ask, change, inside, stroke};
@@ -128,7 +129,7 @@ pub(in crate::reduce) fn start(state: &mut State, how: Start) {
             .cloned(),
         trace: goes_on && audit.is_none(),
         limits: Limits {
-            seconds: Some(f64::from(state.settings.seconds)),
+            seconds: Some(seconds(state, from.as_deref())),
             ..Limits::default()
         },
         ..SolveRequest::default()

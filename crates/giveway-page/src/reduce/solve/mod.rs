@@ -5,6 +5,7 @@ mod begin;
 mod known;
 mod preview;
 mod tightened;
+mod time;
 
 use super::{area, ask, fleet, floor_plan, grow, inside, planners, proof};
 use crate::{Document, SolveAction, Solving, State, Task};

@@ -1,7 +1,7 @@
 //! What is known when a search ends before its answer.
 
 use giveway_model::{Cost, Plan};
-use giveway_solve::{Progress, Response, SolveAnswer, Stats, Status};
+use giveway_solve::{Progress, Reason, Response, SolveAnswer, Stats, Status, Stop};
 
 use super::{after, fresh, stroke};
 use crate::sample::solved;
@@ -115,6 +115,43 @@ fn solving_again_goes_on_from_what_is_known() {
     assert_eq!(told(&ended).bounds[&Cost::Makespan], 17);
     assert_eq!(ended.plan(), stopped.plan());
     assert_eq!(ended.phase(), Phase::Stopped);
+}
+
+/// A proof begins anew each time: with no more time than before it comes no further.
+#[test]
+fn what_its_time_limit_cut_off_goes_on_twice_as_long() {
+    let asked = |state: &State| state.work.solving().unwrap().request.limits.seconds;
+    let out_of_time = |state: &State| {
+        let answer = SolveAnswer {
+            status: Status::Feasible,
+            reason: Some(Reason::Stopped(Stop::Time)),
+            bounds: [(Cost::Makespan, 17)].into(),
+            ..told(&solved())
+        };
+        let response = Box::new(Response::Solved(answer));
+        let job = state.work.id().unwrap();
+        after(
+            state,
+            [Action::Worker(WorkerAction::Respond { job, response })],
+        )
+    };
+    let go_on = |state: &State| after(state, [Action::Solve(SolveAction::Solve)]);
+    let first = go_on(&fresh());
+    let cut = out_of_time(&first);
+    assert_eq!(cut.phase(), Phase::Stopped);
+    assert_eq!((asked(&first), cut.seconds_to_go_on()), (Some(30.0), 60.0));
+    let second = go_on(&cut);
+    assert_eq!(asked(&second), Some(60.0));
+    let third = go_on(&out_of_time(&second));
+    assert_eq!(asked(&third), Some(120.0));
+    // A limit that a person has set longer holds; one that was cancelled has as long as before.
+    let longer = after(&cut, [Action::View(ViewAction::SetSeconds(200))]);
+    assert_eq!(asked(&go_on(&longer)), Some(200.0));
+    let cancelled = after(&second, [Action::Solve(SolveAction::Cancel)]);
+    assert_eq!(cancelled.seconds_to_go_on(), 30.0);
+    // Another scene begins with what is set.
+    let edited = after(&cut, [Action::Edit(Edit::RemoveAgent(1))]);
+    assert_eq!(asked(&go_on(&edited)), Some(30.0));
 }
 
 #[test]
