@@ -1,6 +1,6 @@
 //! How long a search may take.
 
-use giveway_solve::{Reason, Stop};
+use giveway_solve::Ended;
 
 use crate::{Answer, State};
 
@@ -11,7 +11,7 @@ const LONGEST: f64 = 3_600.0;
 /// proves again what it had proved before it comes further, so it has twice as long as before.
 pub(super) fn seconds(state: &State, from: Option<&Answer>) -> f64 {
     let set = f64::from(state.settings.seconds);
-    let is_cut = |from: &&Answer| from.solved.reason == Some(Reason::Stopped(Stop::Time));
+    let is_cut = |from: &&Answer| from.solved.ended == Some(Ended::Time);
     let before = from.filter(is_cut).and_then(|it| it.request.limits.seconds);
     before.map_or(set, |before| set.max((2.0 * before).min(LONGEST)))
 }

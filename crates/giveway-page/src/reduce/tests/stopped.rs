@@ -1,7 +1,7 @@
 //! What is known when a search ends before its answer.
 
 use giveway_model::{Cost, Plan};
-use giveway_solve::{Progress, Reason, Response, SolveAnswer, Stats, Status, Stop};
+use giveway_solve::{Ended, Progress, Response, SolveAnswer, Stats, Status};
 
 use super::{after, fresh, stroke};
 use crate::sample::solved;
@@ -124,7 +124,7 @@ fn what_its_time_limit_cut_off_goes_on_twice_as_long() {
     let out_of_time = |state: &State| {
         let answer = SolveAnswer {
             status: Status::Feasible,
-            reason: Some(Reason::Stopped(Stop::Time)),
+            ended: Some(Ended::Time),
             bounds: [(Cost::Makespan, 17)].into(),
             ..told(&solved())
         };
