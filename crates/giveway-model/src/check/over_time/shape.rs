@@ -1,7 +1,7 @@
 //! Plans that are none, in a world that changes.
 
-use super::super::findings::{Findings, Place};
-use super::super::{Rule, sentence, shape};
+use super::super::findings::Findings;
+use super::super::{sentence, shape};
 use crate::change::{History, Timeline};
 use crate::{Cell, Plan};
 
@@ -50,18 +50,11 @@ fn find_times(timeline: &Timeline, plan: &Plan, index: usize, findings: &mut Fin
     let listed = path.len() as u32;
     let due = until.saturating_sub(timeline.from);
     // An agent that had arrived was at its last cell.
-    let last = path.last().copied().flatten();
-    let arrived = last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal));
+    let arrived = rests(timeline, path);
     if listed > due || (listed < due && !(arrived && listed > 0)) {
         let last = timeline.from + listed.saturating_sub(1);
         let message = sentence::wrong_end(name, last, until);
-        findings.push(
-            Rule::Shape,
-            last as usize,
-            &[index],
-            Place::Nowhere,
-            message,
-        );
+        shape::push(findings, index, last, message);
     }
 }
 
@@ -75,20 +68,18 @@ fn find_where_it_stands(
     findings: &mut Findings<'_>,
 ) {
     let name = timeline.name();
-    let last = path.last().copied().flatten();
-    let rests = last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal));
     let is_short = path.len() < stood.len();
-    if path.len() > stood.len() || (is_short && !rests) {
+    if path.len() > stood.len() || (is_short && !rests(timeline, path)) {
         let from = timeline.from;
         let last = from + (path.len() as u32).saturating_sub(1);
         let due = from + (stood.len() as u32).saturating_sub(1);
         let message = sentence::wrong_stand(name, last, due);
-        findings.push(
-            Rule::Shape,
-            last as usize,
-            &[index],
-            Place::Nowhere,
-            message,
-        );
+        shape::push(findings, index, last, message);
     }
+}
+
+/// Whether a path ends at the goal of its agent.
+fn rests(timeline: &Timeline, path: &[Option<Cell>]) -> bool {
+    let last = path.last().copied().flatten();
+    last.is_some() && timeline.goal().is_none_or(|goal| last == Some(goal))
 }
