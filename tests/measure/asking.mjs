@@ -1,10 +1,13 @@
-// Waits on a real floor are asked about: how soon each layer of the answer is there.
+// Waits on real floors are asked about: how soon each layer of the answer is there.
+//
+// The depot; and with GIVEWAY_FLOORS, the path of target/floors.json of `./x bench --floor`, each of
+// its floors whose plan was proved best there.
 
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { root } from "../e2e/dist.mjs";
 import { save } from "../e2e/recover.mjs";
-import { eventually } from "../e2e/wait.mjs";
 import { SOLVED, figure, inPage } from "./figure.mjs";
 
 const DEPOT = join(root, "tests/data/depot/depot.json");
@@ -13,47 +16,78 @@ const QUESTIONS = 10;
 /** How long an answer is watched, and how long the plan may need, in milliseconds. */
 const PATIENCE = 30_000;
 const PLAN = 300_000;
+/** How often it is looked whether the plan is proved, in milliseconds. */
+const LOOK = 500;
 /** Seconds within which each layer is to be there. */
 const HERE = 0.1;
 const NEAR = 1;
 const VERDICT = 3;
 
-/** The share of questions about the depot's proved plan that each layer answers in time. */
+/** The share of questions about proved plans that each layer answers in time. */
 export function asking(url) {
   return inPage(url, async (playground) => {
-    const { page } = playground;
     await playground.says(SOLVED);
-    await playground.open(DEPOT);
-    await playground.shows("Depot North");
-    if (!(await playground.button("Cancel").isVisible())) {
-      await playground.press("Solve");
-    }
-    await eventually("the proof", () => goneOn(playground), (text) => SOLVED.test(text), PLAN);
-    await playground.pause();
-    const { paths } = JSON.parse(await save(playground, "Save plan"));
-    const asked = Object.entries(paths).slice(0, QUESTIONS).map(([name, path]) => ({ name, ...asksAbout(name, path) }));
     const answers = [];
-    for (const { name, question: words, time } of asked) {
-      await page.locator(".clock input").fill(String(time));
-      await playground.key("Enter");
-      await playground.reaches(time);
-      await playground.inspector.getByRole("button", { name: new RegExp(`^${name}\\b`) }).first().click();
-      await playground.inspector.getByRole("heading", { name, level: 2 }).waitFor();
-      const question = playground.inspector.getByRole("button", { name: words }).first();
-      await question.waitFor();
-      answers.push(await question.evaluate(untilAnswered, PATIENCE));
-      // The answer is closed, then the robot let go.
-      await playground.inspector.getByRole("button", { name: "Back", exact: true }).click();
-      await playground.key("Escape");
+    for (const { name, file } of floors()) {
+      const ofFloor = await askedAbout(playground, name, file);
+      answers.push(...ofFloor);
     }
     const share = (what, least, isSo) => figure(what, (100 * answers.filter(isSo).length) / answers.length, "%", { least });
+    const where = process.env.GIVEWAY_FLOORS ? "floors" : "the depot";
     return [
-      share(`${answers.length} questions about the depot, what the plan shows within ${HERE} s`, 95, ({ here }) => here <= HERE),
+      share(`${answers.length} questions about ${where}, what the plan shows within ${HERE} s`, 95, ({ here }) => here <= HERE),
       share(`the same, small variations within ${NEAR} s more`, 95, ({ here, near }) => near - here <= NEAR),
       share(`the same, the verdict within ${VERDICT} s more`, 90, ({ near, verdict }) => verdict - near <= VERDICT),
       share(`the same, a verdict within ${PATIENCE / 1000} s`, 100, ({ verdict }) => verdict < PATIENCE / 1000),
     ];
   });
+}
+
+/** The depot, and the floors of a file that have a proved plan, each with its name on the page. */
+function floors() {
+  const from = process.env.GIVEWAY_FLOORS;
+  const others = from ? JSON.parse(readFileSync(from, "utf8")).filter(({ best, name }) => best && name !== "depot") : [];
+  const asFile = ({ name, scene }) => ({ name, file: { name: `${name}.json`, bytes: JSON.stringify({ ...scene, name }) } });
+  return [{ name: "Depot North", file: DEPOT }, ...others.map(asFile)];
+}
+
+/** How soon each layer of each answer about one floor is there, in seconds. */
+async function askedAbout(playground, floor, file) {
+  const { page } = playground;
+  await playground.open(file);
+  await playground.shows(floor);
+  if (!(await playground.button("Cancel").isVisible()) && !SOLVED.test(await playground.status.textContent())) {
+    await playground.press("Solve");
+  }
+  const end = Date.now() + PLAN;
+  while (!SOLVED.test(await goneOn(playground))) {
+    if (Date.now() > end) {
+      console.log(`# ${floor}: not proved in ${PLAN / 1000} s`);
+      return [];
+    }
+    await page.waitForTimeout(LOOK);
+  }
+  await playground.pause();
+  const { paths } = JSON.parse(await save(playground, "Save plan"));
+  const asked = Object.entries(paths).slice(0, QUESTIONS).map(([name, path]) => ({ name, ...asksAbout(name, path) }));
+  const answers = [];
+  for (const { name, question: words, time } of asked) {
+    await page.locator(".clock input").fill(String(time));
+    await playground.key("Enter");
+    await playground.reaches(time);
+    await playground.inspector.getByRole("button", { name: new RegExp(`^${name}\\b`) }).first().click();
+    await playground.inspector.getByRole("heading", { name, level: 2 }).waitFor();
+    const question = playground.inspector.getByRole("button", { name: words }).first();
+    await question.waitFor();
+    const answer = await question.evaluate(untilAnswered, PATIENCE);
+    const seconds = ({ here, near, verdict }) => [here, near, verdict].map((value) => value?.toFixed(2)).join(" ");
+    console.log(`# ${floor}: ${words} ${seconds(answer)}`);
+    answers.push(answer);
+    // The answer is closed, then the robot let go.
+    await playground.inspector.getByRole("button", { name: "Back", exact: true }).click();
+    await playground.key("Escape");
+  }
+  return answers;
 }
 
 /** What is said of the plan; where the time limit was reached, the search goes on. */

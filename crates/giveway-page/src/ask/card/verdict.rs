@@ -125,9 +125,7 @@ fn claim(told: &ExplainAnswer) -> Option<String> {
         Verdict::Unknown => told
             .costs
             .map(|_| tr!("an answer" => "not proved").to_owned()),
-        Verdict::Costly if told.at_most && told.pending.contains(&Part::Closest) => {
-            Some(tr!("an answer" => "so far").to_owned())
-        }
+        // That it costs more is proved even where it is not known yet how much.
         Verdict::Costly | Verdict::Necessary => match told.reach.within() {
             None if told.reach.is_complete() => Some(tr!("an answer" => "proved").to_owned()),
             None => None,
