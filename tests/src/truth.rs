@@ -1,9 +1,9 @@
 //! Whether what a certificate says is so, by the oracle.
 
 use giveway_model::{Cell, Condition, Cost, Instance, Plan, Question};
-use giveway_proof::{Checked, Claim, Conclusion, Report};
+use giveway_proof::{Checked, CheckedLemma, Claim, Conclusion, Lemma, Report};
 
-use crate::oracle::{self, Contrast, Verdict};
+use crate::oracle::{self, AtMost, Contrast, Verdict, some_plan_keeps};
 use crate::recount;
 
 /// Labels that the oracle may make.
@@ -17,10 +17,22 @@ const LATE: u32 = 100;
 pub fn lies(instance: &Instance, plan: Option<&Plan>, report: &Report) -> Option<Vec<String>> {
     let mut lies = Vec::new();
     for checked in &report.claims {
-        if let Checked::Proof { text, claim, .. } | Checked::Search { text, claim, .. } = checked
-            && !holds(instance, claim)?
-        {
-            lies.push(text.clone());
+        match checked {
+            Checked::Proof { text, claim, .. }
+            | Checked::Lemmas { text, claim, .. }
+            | Checked::Search { text, claim, .. } => {
+                if !holds(instance, claim)? {
+                    lies.push(text.clone());
+                }
+            }
+            Checked::None { .. } => {}
+        }
+        if let Checked::Lemmas { lemmas, .. } = checked {
+            for CheckedLemma { text, lemma, .. } in lemmas {
+                if !is_so(instance, lemma)? {
+                    lies.push(text.clone());
+                }
+            }
         }
     }
     let so = match &report.concluded {
@@ -42,6 +54,27 @@ pub fn lies(instance: &Instance, plan: Option<&Plan>, report: &Report) -> Option
         lies.push(format!("{:?}", report.concluded));
     }
     Some(lies)
+}
+
+/// Whether agents by themselves have no plan such as a lemma says; `None` where the oracle cannot tell.
+fn is_so(instance: &Instance, lemma: &Lemma) -> Option<bool> {
+    let mut scene = instance.to_scene();
+    scene
+        .agents
+        .retain(|agent| lemma.by.contains_key(&agent.name));
+    let of_agents = Instance::new(scene).ok()?;
+    let arrivals = lemma.by.iter().map(|(agent, &by)| AtMost {
+        cost: Cost::SumOfCosts,
+        agents: Some(vec![agent.clone()]),
+        most: by,
+    });
+    let sums = lemma.most.iter().map(|(&cost, &most)| AtMost {
+        cost,
+        agents: None,
+        most,
+    });
+    let limits: Vec<AtMost> = arrivals.chain(sums).collect();
+    some_plan_keeps(&of_agents, &limits, CAP).map(|keeps| !keeps)
 }
 
 /// Whether there is no plan such as a claim says; `None` where the oracle cannot

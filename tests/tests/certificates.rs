@@ -200,6 +200,7 @@ fn makespan(instance: &Instance, makespan: u32) -> Bundle {
             complete: true,
             within: None,
             plan: None,
+            hints: &[],
         },
         &Budget::default(),
     )
@@ -230,6 +231,7 @@ fn bundles() -> Vec<(String, Bundle)> {
         complete: true,
         within: None,
         plan: None,
+        hints: &[],
     };
     bundles.push(("scenario-6".to_owned(), export(&solved, &Budget::default())));
     bundles

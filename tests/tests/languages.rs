@@ -310,9 +310,10 @@ fn a_certificate_is_the_same_whatever_is_spoken() {
     assert_eq!(in_english, in_german);
     assert_eq!(report.reason, None);
     let claims = report.claims.iter().map(|claim| match claim {
-        Checked::Proof { text, .. } | Checked::Search { text, .. } | Checked::None { text, .. } => {
-            text.as_str()
-        }
+        Checked::Proof { text, .. }
+        | Checked::Lemmas { text, .. }
+        | Checked::Search { text, .. }
+        | Checked::None { text, .. } => text.as_str(),
     });
     let claims: Vec<&str> = claims.collect();
     assert_eq!(

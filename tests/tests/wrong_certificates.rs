@@ -134,6 +134,7 @@ fn of<'a>(instance: &'a Instance, answer: &'a SolveAnswer) -> Solved<'a> {
         complete: answer.reach.is_complete(),
         within: answer.reach.within(),
         plan: answer.plan.as_ref(),
+        hints: &[],
     }
 }
 
@@ -250,6 +251,7 @@ fn names_are_no_sentences() {
         complete: false,
         within: Some(4),
         plan: None,
+        hints: &[],
     };
     let sentence = about.sentence();
     assert!(!sentence.contains('\n'), "{sentence}");

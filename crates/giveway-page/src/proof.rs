@@ -152,6 +152,9 @@ fn outcome(report: &Report) -> Outcome {
     }
 }
 
+/// So many lemmas are told.
+const SHOWN_LEMMAS: usize = 3;
+
 fn line(claim: &Checked) -> Line {
     let (icon, text, rests_on) = match claim {
         Checked::Proof {
@@ -169,6 +172,16 @@ fn line(claim: &Checked) -> Line {
                 steps = grouped(steps)
             );
             ("proved", text, size)
+        }
+        Checked::Lemmas { text, lemmas, .. } => {
+            let number = u32::try_from(lemmas.len()).unwrap_or(u32::MAX);
+            let sentences = lemmas.iter().map(|lemma| lemma.text.as_str());
+            let first: Vec<&str> = sentences.take(SHOWN_LEMMAS).collect();
+            let what = tr!(
+                "{n} checked lemma: {first}" | "{n} checked lemmas, the first: {first}" % number,
+                first = first.join(" ")
+            );
+            ("proved", text, what)
         }
         Checked::Search { text, method, .. } => {
             let what = tr!("A search of {method}, repeated.", method = method.words());

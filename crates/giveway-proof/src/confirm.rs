@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use giveway_model::{Instance, check};
+use giveway_model::check;
 
-use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
+use crate::again::{Named, check_claims, check_plan, check_proof};
 use crate::bundle::{Entry, proof_files};
 use crate::conclude::{Whole, check_together, conclude};
 use crate::report::Fault;
@@ -30,12 +30,13 @@ use crate::{Budget, Report, Solved};
 ///     complete: true,
 ///     within: None,
 ///     plan: None,
+///     hints: &[],
 /// };
 /// assert!(confirm(&solved, &Budget::default(), &Budget::default()).accepted);
 /// ```
 pub fn confirm(solved: &Solved<'_>, proving: &Budget<'_>, checking: &Budget<'_>) -> Report {
     let mut proofs = BTreeMap::new();
-    let entries = show(solved, proving, &mut |name, _, proof| {
+    let entries = show(solved, proving, &mut |name, _, _, proof| {
         proofs.insert(name.to_owned(), proof);
     });
     check_shown(solved, &entries, checking, &|name| proofs.get(name))
@@ -59,8 +60,8 @@ pub(crate) fn check_shown<'a>(
             plan,
             entries,
         })?;
-        check_claims(instance, entries, budget, claims, &|proof| {
-            check_kept(proofs(proof.name), instance, proof, budget)
+        check_claims(instance, entries, budget, claims, &|named| {
+            check_kept(proofs(named.name), named, budget)
         })?;
         Ok(conclude(&objective(instance), costs, entries))
     })
@@ -68,14 +69,13 @@ pub(crate) fn check_shown<'a>(
 
 fn check_kept(
     kept: Option<&Vec<u8>>,
-    instance: &Instance,
-    proof: &Proof<'_>,
+    named: &Named<'_>,
     budget: &Budget<'_>,
 ) -> Result<usize, Fault> {
-    let [_, drat, _] = proof_files(proof.name);
+    let [_, drat, _] = proof_files(named.name);
     let text = kept.map_or(Ok(""), |proof| {
         std::str::from_utf8(proof).map_err(|_| Fault::of(&drat, "it is not text"))
     })?;
-    let formula = formula(instance, proof, budget)?.text();
+    let formula = named.formula(budget)?.text();
     check_proof(&formula, text, &drat, budget)
 }

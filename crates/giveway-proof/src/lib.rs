@@ -18,10 +18,13 @@ mod confirm;
 pub mod drat;
 mod escape;
 pub mod exhaust;
+mod guess;
+mod lemma;
 pub mod plain;
 mod prove;
 pub mod queue;
 mod report;
+mod search;
 mod show;
 mod verify;
 
@@ -29,8 +32,9 @@ pub use bundle::{Bundle, export};
 pub use claim::Claim;
 pub use conclude::Conclusion;
 pub use confirm::confirm;
+pub use lemma::{Hint, Least, Lemma, ProvedLemma};
 pub use prove::{Outcome, prove};
-pub use report::{Certified, Checked, Report};
+pub use report::{Certified, Checked, CheckedLemma, Report};
 pub use show::Solved;
 pub use verify::verify;
 
@@ -44,6 +48,8 @@ pub struct Budget<'a> {
     pub proof_bytes: usize,
     /// The states of one search.
     pub states: usize,
+    /// The clauses of a formula of all agents that is tried before [lemmas](Lemma).
+    pub small_formula: usize,
     /// Asked now and then; work ends soon after it says no.
     pub go_on: &'a dyn Fn() -> bool,
     /// Told of each claim that is come to.
@@ -57,6 +63,7 @@ impl Default for Budget<'_> {
             clauses: 4_000_000,
             proof_bytes: 64 << 20,
             states: 400_000,
+            small_formula: 400_000,
             go_on: &|| true,
             tell: &|_| {},
         }

@@ -1,12 +1,14 @@
 //! The report of a check.
 
+use std::collections::BTreeSet;
+
 use borsh::{BorshDeserialize, BorshSerialize};
 use giveway_model::Version;
 use giveway_model::tr;
-use giveway_model::words::grouped;
+use giveway_model::words::{count, grouped};
 use serde::{Deserialize, Serialize};
 
-use crate::{Claim, bundle::Method, conclude::Conclusion};
+use crate::{Claim, Least, Lemma, bundle::Method, conclude::Conclusion};
 
 /// The report of checking a certificate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
@@ -59,7 +61,16 @@ impl Certified {
         let is = |test: fn(&Checked) -> bool| claims.iter().any(test);
         if is(|claim| matches!(claim, Checked::None { .. })) {
             Self::NotCertified
-        } else if is(|claim| matches!(claim, Checked::Search { .. })) {
+        } else if is(|claim| {
+            matches!(
+                claim,
+                Checked::Search { .. }
+                    | Checked::Lemmas {
+                        least: Least::Search,
+                        ..
+                    }
+            )
+        }) {
             Self::ProvedAndSearched
         } else {
             Self::Proved
@@ -84,6 +95,23 @@ pub enum Checked {
         /// The steps of the proof that were needed.
         steps: usize,
     },
+    /// The proofs of lemmas were checked, and that they show it.
+    Lemmas {
+        /// The claim as a sentence.
+        text: String,
+        /// The claim.
+        claim: Claim,
+        /// What they add to; a search of each robot alone was repeated.
+        least: Least,
+        /// The lemmas.
+        lemmas: Vec<CheckedLemma>,
+        /// The variables of the formula that puts them together.
+        variables: usize,
+        /// The clauses of that formula.
+        clauses: usize,
+        /// The steps of its proof that were needed.
+        steps: usize,
+    },
     /// It rests on a search, which was repeated.
     Search {
         /// The claim as a sentence.
@@ -104,6 +132,22 @@ pub enum Checked {
     },
 }
 
+/// A lemma whose proof was checked.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, BorshSerialize, BorshDeserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CheckedLemma {
+    /// The lemma as a sentence.
+    pub text: String,
+    /// The lemma.
+    pub lemma: Lemma,
+    /// The variables of its formula.
+    pub variables: usize,
+    /// The clauses of its formula.
+    pub clauses: usize,
+    /// The steps of the proof that were needed.
+    pub steps: usize,
+}
+
 /// Why a certificate was not accepted.
 pub(crate) enum Fault {
     Rejected(String),
@@ -121,8 +165,26 @@ impl Report {
     pub fn summary(&self) -> String {
         let (mut proofs, mut steps) = (0_u32, 0);
         let (mut searches, mut nothing) = (0_u32, 0_u32);
+        let (mut by_lemmas, mut lemmas, mut largest) = (0_u32, BTreeSet::new(), 0);
         for claim in &self.claims {
             match claim {
+                Checked::Lemmas {
+                    lemmas: own,
+                    steps: more,
+                    ..
+                } => {
+                    by_lemmas += 1;
+                    steps += more;
+                    for CheckedLemma {
+                        lemma, steps: more, ..
+                    } in own
+                    {
+                        if lemmas.insert(lemma) {
+                            steps += more;
+                        }
+                        largest = largest.max(lemma.by.len());
+                    }
+                }
                 Checked::Proof { steps: more, .. } => {
                     proofs += 1;
                     steps += more;
@@ -141,6 +203,16 @@ impl Report {
         if proofs > 0 {
             sentences.push(tr!(
                 "The proof was checked: {steps}." | "{n} proofs were checked: {steps}." % proofs,
+                steps
+            ));
+        }
+        if by_lemmas > 0 {
+            sentences.push(tr!(
+                "{n} claim rests on {lemmas}, the largest about {robots}: {steps}."
+                    | "{n} claims rest on {lemmas}, the largest about {robots}: {steps}."
+                        % by_lemmas,
+                lemmas = lemma_count(lemmas.len()),
+                robots = count(largest, "robot"),
                 steps
             ));
         }
@@ -185,4 +257,9 @@ impl Report {
             claims,
         }
     }
+}
+
+fn lemma_count(lemmas: usize) -> String {
+    let lemmas = u32::try_from(lemmas).unwrap_or(u32::MAX);
+    tr!("{n} lemma" | "{n} lemmas" % lemmas)
 }

@@ -6,17 +6,16 @@ use giveway_model::{Cost, Instance, Objective, Plan, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
-use crate::exhaust::{Exhausted, alone_at_least, exhaust_kind, least};
+use crate::exhaust::{Exhausted, least};
+use crate::lemma::Pool;
 use crate::plain::{Cnf, NoFormula};
-use crate::queue::counted_at_least;
-use crate::{Budget, Claim, Outcome, plain, prove};
+use crate::search::counts;
+use crate::{Budget, Claim, Hint, Outcome, plain, prove};
 
-/// More agents than this have too many states together to try.
-const FEW_AGENTS: usize = 3;
+/// The bytes of the proof of a formula of all agents that is tried before lemmas.
+const SMALL_PROOF: usize = 12 << 20;
 /// From so many agents at a bottleneck on, a proof by clauses takes too long to try it first.
 const MANY_AT_GATE: usize = 7;
-/// With fewer agents, nothing is counted.
-const FEWEST_AT_GATE: usize = 2;
 
 /// The answer of a solver.
 #[derive(Clone, Debug)]
@@ -36,6 +35,8 @@ pub struct Solved<'a> {
     pub within: Option<u32>,
     /// Its plan.
     pub plan: Option<&'a Plan>,
+    /// The cores by which it raised its bounds, as guesses for [lemmas](crate::Lemma).
+    pub hints: &'a [Hint],
 }
 
 /// The objective of an instance, with the penalty where rules of the scene's own make one.
@@ -43,10 +44,10 @@ pub(crate) fn objective(instance: &Instance) -> Objective {
     instance.in_force(instance.objective().clone())
 }
 
-/// The claims to certify, each with a name for its files.
-fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
+/// The claims to certify, each with the cost that it bounds; none where there is no plan.
+fn claims(solved: &Solved<'_>) -> Vec<(Option<Cost>, Claim)> {
     if solved.impossible {
-        return vec![(NO_PLAN.to_owned(), solved.about.clone())];
+        return vec![(None, solved.about.clone())];
     }
     let costs = solved
         .plan
@@ -62,7 +63,7 @@ fn claims(solved: &Solved<'_>) -> Vec<(String, Claim)> {
             claim.most.clone_from(&most);
             let before = claim.most.entry(cost).or_insert(below);
             *before = below.min(*before);
-            claims.push((cost.name().to_owned(), claim));
+            claims.push((Some(cost), claim));
         }
         // Later claims are about plans that meet this bound.
         if costs.is_some_and(|costs| costs.get(cost) != bound) {
@@ -80,21 +81,24 @@ pub(crate) fn show(solved: &Solved<'_>, budget: &Budget<'_>, keep: &mut Keep<'_>
         solved,
         budget,
         keep,
+        pool: Pool::default(),
         claims: Vec::new(),
     };
-    for (name, claim) in claims(solved) {
-        showing.certify(&name, claim);
+    for (cost, claim) in claims(solved) {
+        showing.certify(cost, claim);
     }
     showing.claims
 }
 
-/// Keeps a proof with its formula by the name of its files.
-pub(crate) type Keep<'a> = dyn FnMut(&str, &Cnf, Vec<u8>) + 'a;
+/// Keeps a proof with its formula by the name of its files; with the instance of the formula, which names
+/// its variables.
+pub(crate) type Keep<'a> = dyn FnMut(&str, &Instance, &Cnf, Vec<u8>) + 'a;
 
 struct Showing<'a> {
     solved: &'a Solved<'a>,
     budget: &'a Budget<'a>,
     keep: &'a mut Keep<'a>,
+    pool: Pool,
     claims: Vec<Entry>,
 }
 
@@ -102,21 +106,38 @@ impl Showing<'_> {
     /// A proof where the claim has a horizon. Where it has none: a search for
     /// all of it, where the solver claimed all of it, and a proof up to some
     /// makespan.
-    fn certify(&mut self, name: &str, claim: Claim) {
+    fn certify(&mut self, cost: Option<Cost>, claim: Claim) {
+        let name = cost.map_or(NO_PLAN, Cost::name);
         (self.budget.tell)(&claim);
         if counts(self.solved.instance, &claim, MANY_AT_GATE, self.budget) == Some(true) {
             let method = Method::Counting;
             self.claims.push(Entry::Search { claim, method });
             return;
         }
+        if let Some(cost) = cost
+            && self.may_have_lemmas(&claim)
+        {
+            // A small formula of all agents is shown sooner.
+            let small = Budget {
+                clauses: self.budget.clauses.min(self.budget.small_formula),
+                proof_bytes: self.budget.proof_bytes.min(SMALL_PROOF),
+                ..*self.budget
+            };
+            let entry = self.proof(name, &claim, &small).ok();
+            let entry = entry.or_else(|| self.alone(&claim));
+            if let Some(entry) = entry.or_else(|| self.lemmas(cost, &claim)) {
+                self.claims.push(entry);
+                return;
+            }
+        }
         if let Some(far) = claim.horizon(self.solved.instance) {
             let asked = self.solved.within.filter(|&last| last < far);
             // The makespan that the person set is mostly no part of such a claim:
             // only where a later plan would break it.
-            match (self.proof(name, &claim), asked) {
+            match (self.proof(name, &claim, self.budget), asked) {
                 (Err(Missing::Contradicted), Some(_)) if !self.solved.complete => {
                     let claim = claim.within(asked);
-                    let entry = self.proof(name, &claim);
+                    let entry = self.proof(name, &claim, self.budget);
                     let entry = entry.unwrap_or_else(|why| Entry::None { claim, why });
                     self.claims.push(entry);
                 }
@@ -138,7 +159,7 @@ impl Showing<'_> {
         let horizon = self.solved.within.or_else(|| self.default_horizon());
         if let Some(last) = horizon {
             let claim = claim.within(Some(last));
-            match self.proof(name, &claim) {
+            match self.proof(name, &claim, self.budget) {
                 Ok(entry) => self.claims.push(entry),
                 Err(why) => self.claims.push(Entry::None { claim, why }),
             }
@@ -149,18 +170,55 @@ impl Showing<'_> {
         }
     }
 
+    /// Whether a claim is about plans of any kind and of any makespan, about costs that are added up, and
+    /// the search has hinted at lemmas.
+    fn may_have_lemmas(&self, claim: &Claim) -> bool {
+        let is_counted = claim.most.keys().all(|&cost| cost != Cost::Penalty);
+        let is_about_all = claim.condition.is_none() && claim.within.is_none();
+        is_about_all && is_counted && !self.solved.hints.is_empty()
+    }
+
+    /// The search of each agent alone, where that shows a claim.
+    fn alone(&self, claim: &Claim) -> Option<Entry> {
+        let method = Method::Alone;
+        let shows = method.shows(self.solved.instance, claim, self.budget) == Some(true);
+        shows.then(|| Entry::Search {
+            claim: claim.clone(),
+            method,
+        })
+    }
+
+    /// Lemmas that show a claim.
+    fn lemmas(&mut self, cost: Cost, claim: &Claim) -> Option<Entry> {
+        let Solved {
+            instance, hints, ..
+        } = *self.solved;
+        let of = (instance, claim, cost);
+        let shown = self.pool.show(of, hints, self.budget, self.keep)?;
+        let (variables, clauses) = (shown.formula.variables(), shown.formula.clauses());
+        (self.keep)(cost.name(), instance, &shown.formula, shown.proof);
+        Some(Entry::Lemmas {
+            claim: claim.clone(),
+            name: cost.name().to_owned(),
+            variables,
+            clauses,
+            least: shown.least,
+            lemmas: shown.lemmas,
+        })
+    }
+
     /// A proof, or why there is none.
-    fn proof(&mut self, name: &str, claim: &Claim) -> Result<Entry, Missing> {
+    fn proof(&mut self, name: &str, claim: &Claim, budget: &Budget<'_>) -> Result<Entry, Missing> {
         let instance = self.solved.instance;
-        let formula = match plain::formula(instance, claim, self.budget) {
+        let formula = match plain::formula(instance, claim, budget) {
             Ok(formula) => formula,
             Err(NoFormula::TooLarge) => return Err(Missing::FormulaTooLarge),
             Err(NoFormula::NoHorizon) => return Err(Missing::NoHorizon),
             Err(NoFormula::NoAgent) => return Err(Missing::NoAgent),
         };
-        match prove(&formula, self.budget) {
+        match prove(&formula, budget) {
             Outcome::Proof(proof) => {
-                (self.keep)(name, &formula, proof);
+                (self.keep)(name, instance, &formula, proof);
                 Ok(Entry::Proof {
                     claim: claim.clone(),
                     name: name.to_owned(),
@@ -211,66 +269,4 @@ impl Showing<'_> {
             .and_then(|plan| check::costs(instance, plan));
         Some(default.max(plan.map_or(0, |costs| costs.makespan)))
     }
-}
-
-impl Method {
-    /// The searches that are worth trying, the smallest first.
-    fn try_in_turn(instance: &Instance) -> impl Iterator<Item = Self> {
-        let joint = instance.agents().len() <= FEW_AGENTS;
-        [Self::Alone, Self::Counting]
-            .into_iter()
-            .chain(joint.then_some(Self::Joint))
-    }
-
-    /// Whether this search shows a claim; `None` where the budget ran out. Of agents
-    /// alone it shows that there is no plan, whatever the condition.
-    pub(crate) fn shows(
-        self,
-        instance: &Instance,
-        claim: &Claim,
-        budget: &Budget<'_>,
-    ) -> Option<bool> {
-        match self {
-            Self::Joint => match exhaust_kind(instance, claim, budget) {
-                Exhausted::NoPlan => Some(true),
-                Exhausted::Plan(_) => Some(false),
-                Exhausted::Stopped => None,
-            },
-            Self::Counting => counts(instance, claim, FEWEST_AT_GATE, budget),
-            Self::Alone if claim.most.is_empty() => {
-                // An agent that cannot arrive even alone costs more than anything.
-                alone_at_least(instance, Cost::Makespan, u32::MAX, budget)
-            }
-            Self::Alone => {
-                // One limit that the agents break each alone is enough.
-                let mut shown = Some(false);
-                for (&cost, &most) in &claim.most {
-                    // More than the largest number nothing costs.
-                    let Some(more) = most.checked_add(1) else {
-                        continue;
-                    };
-                    match alone_at_least(instance, cost, more, budget) {
-                        Some(true) => return Some(true),
-                        Some(false) => {}
-                        None => shown = None,
-                    }
-                }
-                shown
-            }
-        }
-    }
-}
-
-/// Whether counting at a bottleneck with at least so many agents shows a claim: it is enough that one
-/// limit cannot be kept, whatever else the plans of the claim have to keep.
-fn counts(instance: &Instance, claim: &Claim, fewest: usize, budget: &Budget<'_>) -> Option<bool> {
-    let within = claim.most.get(&Cost::Makespan).copied();
-    for (&cost, &most) in &claim.most {
-        if let Some(more) = most.checked_add(1)
-            && counted_at_least(instance, (cost, more), within, fewest, budget)?
-        {
-            return Some(true);
-        }
-    }
-    Some(false)
 }

@@ -1,8 +1,8 @@
 //! Accepts or rejects a certificate.
 
-use giveway_model::{Instance, format::native};
+use giveway_model::format::native;
 
-use crate::again::{Proof, check_claims, check_plan, check_proof, formula};
+use crate::again::{Named, check_claims, check_plan, check_proof};
 use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::conclude::{Conclusion, Whole, check_together, conclude};
 use crate::report::Fault;
@@ -39,8 +39,8 @@ fn check_all(
     if text(bundle, README)? != manifest.readme(&instance) {
         return Err(Fault::of(README, "it does not say what the manifest says"));
     }
-    check_claims(&instance, &manifest.claims, budget, claims, &|proof| {
-        check_files_of(bundle, &instance, proof, budget)
+    check_claims(&instance, &manifest.claims, budget, claims, &|named| {
+        check_files_of(bundle, named, budget)
     })?;
     if manifest.objective != objective(&instance) {
         return Err(Fault::of(
@@ -101,19 +101,14 @@ fn check_files(bundle: &Bundle, manifest: &Manifest) -> Result<(), Fault> {
 }
 
 /// Writes the formula again, compares, and checks the proof.
-fn check_files_of(
-    bundle: &Bundle,
-    instance: &Instance,
-    proof: &Proof<'_>,
-    budget: &Budget<'_>,
-) -> Result<usize, Fault> {
-    let [cnf, drat, names] = proof_files(proof.name);
-    let formula = formula(instance, proof, budget)?;
+fn check_files_of(bundle: &Bundle, named: &Named<'_>, budget: &Budget<'_>) -> Result<usize, Fault> {
+    let [cnf, drat, names] = proof_files(named.name);
+    let formula = named.formula(budget)?;
     let written = text(bundle, &cnf)?;
     if written != formula.text() {
         return Err(Fault::of(&cnf, "it is not the formula of its claim"));
     }
-    if text(bundle, &names)? != formula.names_text(instance) {
+    if text(bundle, &names)? != formula.names_text(named.instance) {
         return Err(Fault::of(
             &names,
             "it does not name the variables as they are",

@@ -61,6 +61,7 @@ fn bounds(instance: &Instance, objective: &str, bounds: &[(Cost, u32)]) -> Bundl
         complete: true,
         within: None,
         plan: None,
+        hints: &[],
     };
     export(&solved, &Budget::default())
 }
@@ -155,6 +156,7 @@ fn no_plan_is_a_search_and_up_to_a_makespan_a_proof() {
         complete: true,
         within: None,
         plan: None,
+        hints: &[],
     };
     let bundle = export(&solved, &Budget::default());
     let claims = manifest(&bundle).claims;
@@ -189,6 +191,7 @@ fn a_plan_is_part_of_it_and_judged_again() {
         complete: true,
         within: None,
         plan: Some(&plan),
+        hints: &[],
     };
     let bundle = export(&solved, &Budget::default());
     accept(&bundle);
@@ -268,6 +271,7 @@ fn a_budget_that_runs_out_is_no_claim() {
         complete: true,
         within: None,
         plan: None,
+        hints: &[],
     };
     let small = Budget {
         proof_bytes: 100,
@@ -325,6 +329,7 @@ fn what_is_confirmed_at_once_is_what_its_files_would_show() {
         complete: true,
         within: None,
         plan: Some(&plan),
+        hints: &[],
     };
     assert!(compare(&solved).accepted);
     let wrong = BTreeMap::from([(Cost::Makespan, 4)]);
@@ -339,6 +344,7 @@ fn what_is_confirmed_at_once_is_what_its_files_would_show() {
         instance: &impossible,
         impossible: true,
         plan: None,
+        hints: &[],
         ..solved.clone()
     });
     assert!(matches!(

@@ -2,6 +2,7 @@
 //! what trusts no solver ([`giveway_proof`]).
 
 mod export;
+mod hints;
 #[cfg(test)]
 mod tests;
 
@@ -12,7 +13,7 @@ use giveway_model::message::read_map;
 use giveway_model::{
     Cost, Instance, Objective, Plan, Question, Scene, check, format::from_object, sorting,
 };
-use giveway_proof::{Claim, Report, Solved, confirm};
+use giveway_proof::{Claim, Hint, Report, Solved, confirm};
 use serde::{Deserialize, Serialize};
 
 use crate::{
@@ -48,6 +49,9 @@ pub struct CertifyRequest {
     pub within: Option<u32>,
     /// The plan that was answered, unchecked.
     pub plan: Option<Plan>,
+    /// The cores by which the bounds were raised, as far as they are known: guesses for lemmas.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub hints: Vec<Hint>,
     /// The budget.
     #[serde(default, deserialize_with = "from_object")]
     pub limits: Limits,
@@ -65,6 +69,7 @@ impl CertifyRequest {
             complete: answer.reach.is_complete(),
             within: answer.reach.within(),
             plan: answer.plan.clone(),
+            hints: hints::hints(answer.trace.as_ref()),
             limits: Limits::default(),
         }
     }
@@ -105,6 +110,7 @@ impl CertifyRequest {
             complete: answer.reach.is_complete(),
             within: answer.reach.within(),
             plan: shown.cloned(),
+            hints: Vec::new(),
             limits: Limits::default(),
         }
     }
@@ -134,6 +140,7 @@ impl CertifyRequest {
             complete: self.complete,
             within: self.within,
             plan: self.plan.as_ref(),
+            hints: &self.hints,
         }
     }
 }

@@ -85,6 +85,26 @@ fn row(
                 let (cnf, drat) = (size("cnf")?, size("drat")?);
                 format!("{variables} | {clauses} | {cnf:.2} | {drat:.2}")
             }
+            Entry::Lemmas { lemmas, .. } => {
+                let variables: usize = lemmas.iter().map(|lemma| lemma.variables).sum();
+                let clauses: usize = lemmas.iter().map(|lemma| lemma.clauses).sum();
+                let most = lemmas.iter().map(|lemma| lemma.lemma.by.len()).max();
+                let size = |ending: &str| -> Result<f64, std::io::Error> {
+                    let mut size = 0;
+                    for lemma in lemmas {
+                        size +=
+                            fs::metadata(folder.path().join(format!("{}.{ending}", lemma.name)))?
+                                .len();
+                    }
+                    Ok(size as f64 / 1e6)
+                };
+                let (cnf, drat) = (size("cnf")?, size("drat")?);
+                format!(
+                    "{} lemmas of at most {} robots: {variables} | {clauses} | {cnf:.2} | {drat:.2}",
+                    lemmas.len(),
+                    most.unwrap_or_default(),
+                )
+            }
             Entry::Search { .. } => "by search | - | - | -".to_owned(),
             Entry::None { why, .. } => format!("{} | - | - | -", why.sentence()),
         };

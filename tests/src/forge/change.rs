@@ -196,9 +196,10 @@ fn edit(folder: &mut Folder, change: impl FnOnce(&mut Manifest, &Instance)) -> O
 
 fn claim(entry: &mut Entry) -> &mut Claim {
     match entry {
-        Entry::Proof { claim, .. } | Entry::Search { claim, .. } | Entry::None { claim, .. } => {
-            claim
-        }
+        Entry::Proof { claim, .. }
+        | Entry::Lemmas { claim, .. }
+        | Entry::Search { claim, .. }
+        | Entry::None { claim, .. } => claim,
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use giveway_model::{Cost, Instance, Objective};
 use giveway_proof::bundle::{Entry, Manifest};
 use giveway_proof::{Budget, Bundle, Certified, export, verify};
-use giveway_solve::{CertifyRequest, Status};
+use giveway_solve::{CertifyRequest, Status, Thresholds};
 
 use crate::{answers, ask, questions, random};
 
@@ -26,9 +26,11 @@ pub enum Shows {
     Necessary,
     /// The best plan of a kind that a question asks for.
     Costly,
+    /// The best plan by the default objective, by lemmas.
+    Lemmas,
 }
 
-const ALL: [Shows; 7] = [
+const ALL: [Shows; 8] = [
     Shows::Optimal,
     Shows::ChargesFirst,
     Shows::OptimalWithin,
@@ -36,6 +38,7 @@ const ALL: [Shows; 7] = [
     Shows::ImpossibleWithin,
     Shows::Necessary,
     Shows::Costly,
+    Shows::Lemmas,
 ];
 
 /// Two certificates of each kind.
@@ -59,7 +62,7 @@ fn certificate(shows: Shows, seed: u64, number: u64) -> Option<Bundle> {
         Shows::Necessary | Shows::Costly => explained(shows, seed, number)?,
         _ => solved(shows, instance)?,
     };
-    let bundle = export(&request.claims(&instance), &Budget::default());
+    let bundle = export(&request.claims(&instance), &trying(shows));
     let manifest: Manifest = serde_json::from_slice(&bundle["manifest.json"]).unwrap();
     let claims = &manifest.claims;
     let search = |entry: &Entry| matches!(entry, Entry::Search { .. });
@@ -69,6 +72,13 @@ fn certificate(shows: Shows, seed: u64, number: u64) -> Option<Bundle> {
         Shows::Necessary => claims
             .iter()
             .any(|entry| matches!(entry, Entry::Proof { .. })),
+        Shows::Lemmas => {
+            let lemmas = claims.iter().map(|entry| match entry {
+                Entry::Lemmas { lemmas, .. } => lemmas.len(),
+                Entry::Proof { .. } | Entry::Search { .. } | Entry::None { .. } => 0,
+            });
+            lemmas.max() >= Some(1)
+        }
         _ => claims.len() >= 2,
     };
     let small = bundle.values().map(Vec::len).sum::<usize>() < 2_000_000;
@@ -79,6 +89,19 @@ fn certificate(shows: Shows, seed: u64, number: u64) -> Option<Bundle> {
     (suits && small && shown).then_some(bundle)
 }
 
+/// The budget of a certificate; lemmas are tried only where they are what is to be shown.
+fn trying(shows: Shows) -> Budget<'static> {
+    let whole = Budget::default();
+    Budget {
+        small_formula: if shows == Shows::Lemmas {
+            0
+        } else {
+            whole.small_formula
+        },
+        ..whole
+    }
+}
+
 fn solved(shows: Shows, instance: Instance) -> Option<(Instance, CertifyRequest)> {
     let objective = match shows {
         Shows::Optimal => Objective::default(),
@@ -87,7 +110,10 @@ fn solved(shows: Shows, instance: Instance) -> Option<(Instance, CertifyRequest)
     };
     let instance = instance.with_objective(objective);
     let within = matches!(shows, Shows::OptimalWithin | Shows::ImpossibleWithin).then_some(7);
-    let answer = ask::best(&instance, within);
+    let answer = match shows {
+        Shows::Lemmas => ask::best_at_pace(&instance, None, Thresholds::default(), None),
+        _ => ask::best(&instance, within),
+    };
     let suits = match shows {
         Shows::Impossible => answer.status == Status::Impossible && answer.reach.is_complete(),
         Shows::ImpossibleWithin => {

@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 
 use giveway_model::{Cost, Instance, Plan, format::native};
 use giveway_proof::bundle::{Entry, Manifest, fingerprint};
-use giveway_proof::{Budget, Bundle, Outcome, plain, prove};
+use giveway_proof::plain::{self, Cnf};
+use giveway_proof::{Budget, Bundle, Lemma, Outcome, prove};
 use serde_json::Value;
 
 /// A certificate under the hands of a forger.
@@ -112,38 +113,77 @@ impl Folder {
         let mut free: BTreeSet<&str> = Cost::USUAL.iter().map(|cost| cost.name()).collect();
         free.insert("no-plan");
         for entry in &mut manifest.claims {
-            let Entry::Proof {
-                claim,
-                name,
-                variables,
-                clauses,
-            } = entry
-            else {
-                continue;
+            let (name, size, formula) = match entry {
+                Entry::Proof {
+                    claim,
+                    name,
+                    variables,
+                    clauses,
+                } => {
+                    let formula = plain::formula(instance, claim, &budget);
+                    (name, (variables, clauses), formula)
+                }
+                Entry::Lemmas {
+                    claim,
+                    name,
+                    variables,
+                    clauses,
+                    least,
+                    lemmas,
+                } => {
+                    for proved in &mut *lemmas {
+                        if let Some(scene) = proved.lemma.scene(instance)
+                            && let Ok(formula) = plain::of_lemma(&scene, &proved.lemma, &budget)
+                        {
+                            (proved.variables, proved.clauses) =
+                                (formula.variables(), formula.clauses());
+                            self.put(&old, (&proved.name, &proved.name), &scene, &formula);
+                        }
+                    }
+                    let said: Vec<&Lemma> = lemmas.iter().map(|it| &it.lemma).collect();
+                    let formula = plain::of_lemmas(instance, claim, (*least, &said), &budget);
+                    (name, (variables, clauses), formula)
+                }
+                Entry::Search { .. } | Entry::None { .. } => continue,
             };
             // Two proofs have two names.
-            let drat = old
-                .get(&format!("{name}.drat"))
-                .cloned()
-                .unwrap_or_default();
+            let before = name.clone();
             if !free.remove(name.as_str())
                 && let Some(other) = free.pop_first()
             {
                 other.clone_into(name);
             }
-            let Ok(formula) = plain::formula(instance, claim, &budget) else {
+            let Ok(formula) = formula else {
                 continue;
             };
-            (*variables, *clauses) = (formula.variables(), formula.clauses());
-            let proof = match prove(&formula, &budget) {
-                Outcome::Proof(proof) => proof,
-                Outcome::Satisfiable | Outcome::Stopped => drat,
-            };
-            let names = formula.names_text(instance).into_bytes();
-            self.files
-                .insert(format!("{name}.cnf"), formula.text().into_bytes());
-            self.files.insert(format!("{name}.drat"), proof);
-            self.files.insert(format!("{name}.names.txt"), names);
+            (*size.0, *size.1) = (formula.variables(), formula.clauses());
+            self.put(&old, (&before, name), instance, &formula);
         }
+    }
+
+    /// Writes a formula under a new name, with a proof where there is one, else with the old one.
+    fn put(
+        &mut self,
+        old: &Bundle,
+        (before, name): (&str, &str),
+        instance: &Instance,
+        formula: &Cnf,
+    ) {
+        let budget = Budget {
+            proof_bytes: 1 << 20,
+            ..Budget::default()
+        };
+        let proof = match prove(formula, &budget) {
+            Outcome::Proof(proof) => proof,
+            Outcome::Satisfiable | Outcome::Stopped => {
+                let kept = old.get(&format!("{before}.drat"));
+                kept.cloned().unwrap_or_default()
+            }
+        };
+        let names = formula.names_text(instance).into_bytes();
+        self.files
+            .insert(format!("{name}.cnf"), formula.text().into_bytes());
+        self.files.insert(format!("{name}.drat"), proof);
+        self.files.insert(format!("{name}.names.txt"), names);
     }
 }

@@ -146,11 +146,15 @@ fn write_bundle(
 fn summary(claims: &[Entry]) -> String {
     let number = |is: fn(&Entry) -> bool| claims.iter().filter(|entry| is(entry)).count() as u64;
     let proofs = number(|entry| matches!(entry, Entry::Proof { .. }));
+    let lemmas = number(|entry| matches!(entry, Entry::Lemmas { .. }));
     let searches = number(|entry| matches!(entry, Entry::Search { .. }));
     let nothing = number(|entry| matches!(entry, Entry::None { .. }));
     let mut parts = Vec::new();
     if proofs > 0 {
         parts.push(format!("{} with a proof", count(proofs, "claim")));
+    }
+    if lemmas > 0 {
+        parts.push(format!("{} with lemmas", count(lemmas, "claim")));
     }
     if searches > 0 {
         parts.push(format!("{} with a search", count(searches, "claim")));

@@ -48,7 +48,8 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
         pareto: args.pareto,
         within: args.within,
         start: None,
-        trace: args.trace.is_some(),
+        // A certificate is made of the steps of the search.
+        trace: args.trace.is_some() || args.proof.is_some(),
         limits: limits(args, clock),
         as_found: args.proof.is_some(),
     });
@@ -62,8 +63,8 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
             output::answer(common.format, &said, &answer, |columns| {
                 text::solve(&instance, &objective, &answer, columns)
             })?;
-            if let Some((path, trace)) = args.trace.as_deref().zip(trace) {
-                output::trace(path, &trace)?;
+            if let Some((path, trace)) = args.trace.as_deref().zip(trace.as_ref()) {
+                output::trace(path, trace)?;
             }
             if let Some(folder) = &args.proof {
                 let asker = proof::Asker {
@@ -72,6 +73,7 @@ pub(crate) fn run(args: &Solve, common: &Common, clock: Clock) -> Result<Exit, F
                     clock,
                 };
                 let instance = instance.with_objective(objective);
+                answer.trace = trace;
                 proof::write_solved(folder, &instance, &answer, &asker)?;
             }
             Ok(exit(answer.status))

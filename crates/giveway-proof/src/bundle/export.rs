@@ -34,11 +34,11 @@ pub fn export_checked(
 /// The entries that show the claims, with the files of proofs.
 fn shown(solved: &Solved<'_>, budget: &Budget<'_>) -> (Vec<Entry>, Bundle) {
     let mut proofs = Bundle::new();
-    let entries = show(solved, budget, &mut |name, formula, proof| {
+    let entries = show(solved, budget, &mut |name, instance, formula, proof| {
         let [cnf, drat, names] = proof_files(name);
         proofs.insert(cnf, formula.text().into_bytes());
         proofs.insert(drat, proof);
-        proofs.insert(names, formula.names_text(solved.instance).into_bytes());
+        proofs.insert(names, formula.names_text(instance).into_bytes());
     });
     (entries, proofs)
 }

@@ -9,6 +9,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::{INSTANCE, Missing, PLAN, README, proof_files, readme};
 use crate::Claim;
+use crate::lemma::{LEMMA, Least, ProvedLemma};
 
 /// The claims and the contents of a certificate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,6 +43,21 @@ pub enum Entry {
         /// Its clauses.
         clauses: usize,
     },
+    /// Lemmas with a proof each, and a proof that they show the claim.
+    Lemmas {
+        /// The claim.
+        claim: Claim,
+        /// The name of the files that put the lemmas together, without their endings.
+        name: String,
+        /// The variables of the formula that does so.
+        variables: usize,
+        /// Its clauses.
+        clauses: usize,
+        /// What each agent needs alone, to which the lemmas add.
+        least: Least,
+        /// The lemmas.
+        lemmas: Vec<ProvedLemma>,
+    },
     /// A search that can be repeated.
     Search {
         /// The claim.
@@ -68,6 +84,8 @@ struct Written {
     name: Option<String>,
     variables: Option<usize>,
     clauses: Option<usize>,
+    least: Option<Least>,
+    lemmas: Option<Vec<ProvedLemma>>,
     method: Option<Method>,
     why: Option<Missing>,
 }
@@ -76,6 +94,7 @@ struct Written {
 #[serde(rename_all = "kebab-case")]
 enum Kind {
     Proof,
+    Lemmas,
     Search,
     None,
 }
@@ -86,19 +105,37 @@ impl TryFrom<Written> for Entry {
     fn try_from(written: Written) -> Result<Self, Self::Error> {
         let claim = written.claim;
         let proof = (written.name, written.variables, written.clauses);
-        match (written.kind, proof, written.method, written.why) {
-            (Kind::Proof, (Some(name), Some(variables), Some(clauses)), None, None) => {
-                Ok(Self::Proof {
-                    claim,
-                    name,
-                    variables,
-                    clauses,
-                })
-            }
-            (Kind::Search, (None, None, None), Some(method), None) => {
+        let lemmas = (written.least, written.lemmas);
+        let by = (lemmas, written.method, written.why);
+        match (written.kind, proof, by) {
+            (
+                Kind::Proof,
+                (Some(name), Some(variables), Some(clauses)),
+                ((None, None), None, None),
+            ) => Ok(Self::Proof {
+                claim,
+                name,
+                variables,
+                clauses,
+            }),
+            (
+                Kind::Lemmas,
+                (Some(name), Some(variables), Some(clauses)),
+                ((Some(least), Some(lemmas)), None, None),
+            ) => Ok(Self::Lemmas {
+                claim,
+                name,
+                variables,
+                clauses,
+                least,
+                lemmas,
+            }),
+            (Kind::Search, (None, None, None), ((None, None), Some(method), None)) => {
                 Ok(Self::Search { claim, method })
             }
-            (Kind::None, (None, None, None), None, Some(why)) => Ok(Self::None { claim, why }),
+            (Kind::None, (None, None, None), ((None, None), None, Some(why))) => {
+                Ok(Self::None { claim, why })
+            }
             _ => Err("a claim with the keys of another kind"),
         }
     }
@@ -108,9 +145,10 @@ impl Entry {
     /// The claim.
     pub fn claim(&self) -> &Claim {
         match self {
-            Self::Proof { claim, .. } | Self::Search { claim, .. } | Self::None { claim, .. } => {
-                claim
-            }
+            Self::Proof { claim, .. }
+            | Self::Lemmas { claim, .. }
+            | Self::Search { claim, .. }
+            | Self::None { claim, .. } => claim,
         }
     }
 }
@@ -156,18 +194,33 @@ impl Manifest {
         if self.costs.is_some() {
             expected.insert(PLAN.to_owned());
         }
+        let mut lemmas = BTreeSet::new();
         for entry in &self.claims {
-            if let Entry::Proof { name, .. } = entry {
-                let mut costs = Cost::ALL.iter().map(|cost| cost.name());
-                if name != NO_PLAN && !costs.any(|cost| cost == name) {
+            let (name, of_entry) = match entry {
+                Entry::Proof { name, .. } => (name, [].as_slice()),
+                Entry::Lemmas { name, lemmas, .. } => (name, lemmas.as_slice()),
+                Entry::Search { .. } | Entry::None { .. } => continue,
+            };
+            let mut costs = Cost::ALL.iter().map(|cost| cost.name());
+            if name != NO_PLAN && !costs.any(|cost| cost == name) {
+                return None;
+            }
+            for file in proof_files(name) {
+                if !expected.insert(file) {
                     return None;
                 }
-                for file in proof_files(name) {
-                    if !expected.insert(file) {
-                        return None;
-                    }
-                }
             }
+            for ProvedLemma { name, .. } in of_entry {
+                let number = name.strip_prefix(LEMMA)?.parse::<u32>().ok()?;
+                if *name != format!("{LEMMA}{number}") {
+                    return None;
+                }
+                // Claims share lemmas.
+                lemmas.insert(name);
+            }
+        }
+        for name in lemmas {
+            expected.extend(proof_files(name));
         }
         Some(expected)
     }

@@ -8,6 +8,7 @@
 //! | `plan.json` | the plan, where there is one |
 //! | `NAME.cnf`, `NAME.drat` | the formula of a claim and the proof that it is unsatisfiable |
 //! | `NAME.names.txt` | what the variables of the formula stand for |
+//! | `lemma-N.cnf`, ... | the same of a lemma about some of the agents |
 
 #[cfg(feature = "archive")]
 pub mod archive;

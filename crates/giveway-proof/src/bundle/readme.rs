@@ -7,6 +7,7 @@ use giveway_model::{Cost, Instance};
 
 use super::manifest::{Entry, Manifest, Method};
 use super::proof_files;
+use crate::lemma::Least;
 use crate::{conclude::conclude, escape};
 
 /// The text; it follows from the manifest and the instance.
@@ -58,6 +59,34 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
                     count(*clauses, "clause"),
                 );
                 text.push_str(horizon(entry, instance).as_str());
+            }
+            Entry::Lemmas {
+                name,
+                least,
+                lemmas,
+                ..
+            } => {
+                let [cnf, drat, _] = proof_files(name);
+                let _ = write!(
+                    text,
+                    "*Proofs of lemmas that can be checked:* each is about some robots alone, with a \
+                     formula and a proof of its own. `{cnf}` says that they leave room for such a plan, \
+                     beyond {}; `{drat}` proves that nothing satisfies it.",
+                    match least {
+                        Least::Distance => "the steps that each goal is away",
+                        Least::Search => {
+                            "what each robot needs alone, which rests on a search of it on the map"
+                        }
+                    }
+                );
+                for proved in lemmas {
+                    let _ = write!(
+                        text,
+                        "\n  - `{}`: {}",
+                        proved.name,
+                        escape::markdown(&proved.lemma.sentence())
+                    );
+                }
             }
             Entry::Search { method, .. } => {
                 text.push_str("*No proof: it rests on search.* ");

@@ -37,6 +37,7 @@ impl<'a> Walker<'a> {
             instance,
             index,
             last,
+            by,
         } = world;
         let (grid, agent) = (instance.grid(), &instance.agents()[index]);
         let from_start = Distances::from(grid, agent.start);
@@ -45,13 +46,13 @@ impl<'a> Walker<'a> {
         // proof about nothing: then only the distance from the start counts.
         let to_goal = to_goal.filter(|to_goal| {
             let steps = to_goal.to(agent.start);
-            steps.is_some_and(|steps| steps <= last)
+            steps.is_some_and(|steps| steps <= by)
         });
         let may_be = |cell: Cell, time: u32| {
             from_start.to(cell).is_some_and(|steps| steps <= time)
                 && to_goal.as_ref().is_none_or(|to_goal| {
                     let steps = to_goal.to(cell);
-                    steps.is_some_and(|steps| steps <= last - time)
+                    steps.is_some_and(|steps| steps <= by.saturating_sub(time))
                 })
         };
         let cells: Vec<Cell> = grid

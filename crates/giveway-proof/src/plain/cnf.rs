@@ -19,6 +19,8 @@ pub struct Cnf {
     /// The literals of all clauses, a 0 behind each clause.
     literals: Vec<Lit>,
     clauses: usize,
+    /// A literal of each clause that is written now, if there is one.
+    guard: Option<Lit>,
 }
 
 impl Cnf {
@@ -62,6 +64,13 @@ impl Cnf {
         names::text(&self.names, instance)
     }
 
+    /// Writes clauses that hold only where a literal does.
+    pub(super) fn given(&mut self, literal: Lit, write: impl FnOnce(&mut Self)) {
+        self.guard = Some(-literal);
+        write(self);
+        self.guard = None;
+    }
+
     /// A new variable.
     pub(super) fn variable(&mut self, name: Name) -> Lit {
         self.names.push(name);
@@ -76,6 +85,7 @@ impl Cnf {
     pub fn clause(&mut self, literals: impl IntoIterator<Item = Lit>) {
         let begin = self.literals.len();
         self.literals.extend(literals);
+        self.literals.extend(self.guard);
         let clause = self.literals.get_mut(begin..).unwrap_or_default();
         clause.sort_unstable_by_key(|lit| (lit.unsigned_abs(), *lit < 0));
         let always = clause.windows(2).any(|pair| pair[0] == -pair[1]);

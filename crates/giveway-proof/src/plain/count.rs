@@ -47,6 +47,62 @@ pub(super) fn at_most(
     }
 }
 
+/// A literal that holds only where at least so many of all literals do, of each group the first ones; it
+/// may not hold where they do. There are so many at least.
+pub(super) fn at_least(
+    cnf: &mut Cnf,
+    name: Counts<'_>,
+    groups: &[Vec<Lit>],
+    least: usize,
+    limit: usize,
+) -> Lit {
+    let mut counts = groups.to_vec();
+    while counts.len() > 1 {
+        let mut merged = Vec::new();
+        for pair in counts.chunks(2) {
+            merged.push(match pair {
+                [a, b] if cnf.clauses() <= limit => split(cnf, name, a, b, least),
+                rest => rest.concat(),
+            });
+        }
+        counts = merged;
+    }
+    let enough = least
+        .checked_sub(1)
+        .and_then(|i| counts.first()?.get(i).copied());
+    // So many there are not.
+    enough.unwrap_or_else(|| {
+        let never = cnf.variable(Name::Never);
+        cnf.clause([-never]);
+        never
+    })
+}
+
+/// The sum of two counts the other way round: the i-th literal holds only where at least i do. A count may
+/// say less than is so, never more.
+fn split(cnf: &mut Cnf, name: Counts<'_>, a: &[Lit], b: &[Lit], most: usize) -> Vec<Lit> {
+    let size = (a.len() + b.len()).min(most);
+    let sum: Vec<Lit> = (1..=size).map(|n| cnf.variable(name(n as u32))).collect();
+    for (n, &enough) in sum.iter().enumerate() {
+        // More than n: more than i here, or more than n - i there.
+        for i in 0..=n.min(a.len()) {
+            if let Some(j) = n.checked_sub(i)
+                && j <= b.len()
+            {
+                cnf.clause(
+                    [Some(-enough), a.get(i).copied(), b.get(j).copied()]
+                        .into_iter()
+                        .flatten(),
+                );
+            }
+        }
+    }
+    for pair in sum.windows(2) {
+        cnf.implies(&[pair[1]], [pair[0]]);
+    }
+    sum
+}
+
 /// The sum of two counts, as far as it matters: the i-th literal (from 1) holds
 /// where at least i do. A count may say more than is so, never less.
 fn merge(cnf: &mut Cnf, name: Counts<'_>, a: &[Lit], b: &[Lit], most: usize) -> Vec<Lit> {

@@ -11,15 +11,20 @@ mod condition;
 mod constraints;
 mod count;
 mod distance;
+mod levels;
 mod meet;
 mod names;
+
+use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Instance};
 
 use crate::condition::{NoRule, with_rule};
+use crate::lemma::Lemma;
 use crate::{Budget, Claim};
 
 pub use cnf::{Cnf, Lit};
+pub use levels::of_lemmas;
 pub use names::Name;
 
 use agent::Walker;
@@ -56,6 +61,85 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
     let with_rule = with_rule(instance, claim.condition.as_ref());
     let instance = with_rule.map_err(|NoRule| NoFormula::NoAgent)?;
     let instance = instance.as_ref();
+    let limits = Limits {
+        by: vec![last; instance.agents().len()],
+        last,
+        most: &claim.most,
+    };
+    let (mut cnf, walkers) = written(instance, &limits, budget)?;
+    if let Some(condition) = &claim.condition {
+        condition::require(&mut cnf, instance, &walkers, condition, budget.clauses)?;
+        check(&cnf, budget)?;
+    }
+    Ok(cnf)
+}
+
+/// The formula that is satisfiable exactly where a lemma is wrong. The instance has just the agents of
+/// the lemma ([`Lemma::scene`]).
+///
+/// # Errors
+/// Where it is larger than the budget, or the agents are others.
+pub fn of_lemma(instance: &Instance, lemma: &Lemma, budget: &Budget<'_>) -> Result<Cnf, NoFormula> {
+    let agents = instance.agents().iter();
+    let by: Option<Vec<u32>> = agents.map(|it| lemma.by.get(&it.name).copied()).collect();
+    let by = by.ok_or(NoFormula::NoAgent)?;
+    let limits = Limits {
+        last: by.iter().copied().max().ok_or(NoFormula::NoAgent)?,
+        by,
+        most: &lemma.most,
+    };
+    Ok(written(instance, &limits, budget)?.0)
+}
+
+/// Plans in which each agent that is asked for arrives by its time: a formula to be solved under
+/// assumptions, with the literal of each agent that asks for it. Rules of the scene's own are left out.
+pub(crate) fn of_some(
+    instance: &Instance,
+    by: &[u32],
+    budget: &Budget<'_>,
+) -> Result<(Cnf, Vec<Lit>), NoFormula> {
+    let last = by.iter().copied().max().ok_or(NoFormula::NoAgent)?;
+    let mut cnf = Cnf::default();
+    let (mut walkers, mut asked) = (Vec::new(), Vec::new());
+    for (index, &by) in by.iter().enumerate() {
+        let world = World {
+            instance,
+            index,
+            last,
+            by,
+        };
+        walkers.push(Walker::new(&mut cnf, world));
+        check(&cnf, budget)?;
+    }
+    for walker in &walkers {
+        let asks = cnf.variable(Name::Group);
+        cnf.given(asks, |cnf| walker.rules(cnf));
+        asked.push(asks);
+        check(&cnf, budget)?;
+    }
+    meet::vertices(&mut cnf, instance, last, &walkers);
+    meet::edges(&mut cnf, instance, last, &walkers);
+    check(&cnf, budget)?;
+    Ok((cnf, asked))
+}
+
+/// The limits that the plans of a formula keep.
+struct Limits<'a> {
+    /// The last time.
+    last: u32,
+    /// The time by which each agent has arrived.
+    by: Vec<u32>,
+    /// The costs of all agents; the makespan is the last time.
+    most: &'a BTreeMap<Cost, u32>,
+}
+
+/// Plans within limits, and the agents with their variables.
+fn written<'a>(
+    instance: &'a Instance,
+    limits: &Limits<'_>,
+    budget: &Budget<'_>,
+) -> Result<(Cnf, Vec<Walker<'a>>), NoFormula> {
+    let last = limits.last;
     // Each cell at each time is some clauses, and is looked at even without agents.
     let cells = instance.grid().width() as usize * instance.grid().height() as usize;
     if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
@@ -63,11 +147,12 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
     }
     let mut cnf = Cnf::default();
     let mut walkers = Vec::new();
-    for index in 0..instance.agents().len() {
+    for (index, &by) in limits.by.iter().enumerate() {
         let world = World {
             instance,
             index,
             last,
+            by,
         };
         walkers.push(Walker::new(&mut cnf, world));
         check(&cnf, budget)?;
@@ -80,9 +165,9 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
     meet::edges(&mut cnf, instance, last, &walkers);
     check(&cnf, budget)?;
     constraints::require(&mut cnf, instance, &walkers, budget)?;
-    for (&cost, &most) in &claim.most {
+    for (&cost, &most) in limits.most {
         if cost == Cost::Makespan {
-            continue; // the horizon is this limit
+            continue; // the last time is this limit
         }
         if cost == Cost::Penalty {
             let mut paid = Vec::new();
@@ -110,11 +195,7 @@ pub fn formula(instance: &Instance, claim: &Claim, budget: &Budget<'_>) -> Resul
         );
         check(&cnf, budget)?;
     }
-    if let Some(condition) = &claim.condition {
-        condition::require(&mut cnf, instance, &walkers, condition, budget.clauses)?;
-        check(&cnf, budget)?;
-    }
-    Ok(cnf)
+    Ok((cnf, walkers))
 }
 
 fn check(cnf: &Cnf, budget: &Budget<'_>) -> Result<(), NoFormula> {
@@ -131,4 +212,6 @@ struct World<'a> {
     index: usize,
     /// The last time; every agent has arrived by then.
     last: u32,
+    /// The time by which this agent has arrived.
+    by: u32,
 }

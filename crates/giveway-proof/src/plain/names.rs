@@ -27,6 +27,10 @@ pub enum Name {
     Direction(Cell, Cell, u32),
     /// Some agents together cost at least so much.
     AtLeast(Cost, u32),
+    /// The agent has at least so much of the cost.
+    Level(usize, Cost, u32),
+    /// Some agents together have at least so much of the cost beyond the least of each.
+    Beyond(Cost, u32),
     /// The act of the condition happens at the time.
     Happens(u32),
     /// The agent that would be first has been at the cell of the question, at
@@ -88,6 +92,15 @@ const RULES: &str = "\
 #   pays RULE AGENT TIME             it pays for the time
 ";
 
+/// Says what the lines are where lemmas are put together.
+const LEVELS: &str = "\
+# What each variable of the formula stands for, one a line: its number, then
+#   level AGENT N COST               the robot AGENT has at least N of the cost; of the sum of costs
+#                                    that is its arrival
+#   beyond N COST                    some robots together have at least N more than the least of each
+#   never                            what cannot be
+";
+
 /// The list of names, a line a variable.
 pub(super) fn text(names: &[Name], instance: &Instance) -> String {
     let agents: Vec<String> = instance
@@ -97,8 +110,9 @@ pub(super) fn text(names: &[Name], instance: &Instance) -> String {
         .collect();
     let agent = |index: usize| agents.get(index).map_or("?", String::as_str);
     let cell = |cell: Cell| format!("[{},{}]", cell.x, cell.y);
-    let mut text = HEAD.to_owned();
-    if instance.is_constrained() {
+    let of_levels = matches!(names.first(), Some(Name::Level(..)));
+    let mut text = if of_levels { LEVELS } else { HEAD }.to_owned();
+    if instance.is_constrained() && !of_levels {
         text.push_str(RULES);
     }
     for (variable, name) in (1..).zip(names) {
@@ -114,6 +128,8 @@ pub(super) fn text(names: &[Name], instance: &Instance) -> String {
             Name::Wait(a, t) => format!("wait {} {t}", agent(a)),
             Name::Direction(u, v, t) => format!("direction {} {} {t}", cell(u), cell(v)),
             Name::AtLeast(cost, n) => format!("at-least {n} {cost}"),
+            Name::Level(a, cost, n) => format!("level {} {n} {cost}", agent(a)),
+            Name::Beyond(cost, n) => format!("beyond {n} {cost}"),
             Name::Happens(t) => format!("happens {t}"),
             Name::Been(t) => format!("been {t}"),
             Name::Inside(rule, a, t) => format!("inside {rule} {} {t}", agent(a)),

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use anstyle::{AnsiColor, Style};
 use giveway_model::words::count;
-use giveway_proof::{Certified, Checked, Report};
+use giveway_proof::{Certified, Checked, CheckedLemma, Report};
 
 use super::paint;
 use crate::output::plain;
@@ -51,6 +51,16 @@ pub(crate) fn verify(report: &Report) -> String {
                 count(*clauses, "clause"),
                 count(*steps, "step"),
             ),
+            Checked::Lemmas {
+                text: claim,
+                lemmas,
+                ..
+            } => writeln!(
+                text,
+                "  lemmas         {}{}",
+                plain::text(claim),
+                lemmas.iter().map(lemma).collect::<String>()
+            ),
             Checked::Search {
                 text: claim,
                 method,
@@ -85,4 +95,14 @@ pub(crate) fn verify(report: &Report) -> String {
         writeln!(text, "{word}.")
     };
     text
+}
+
+fn lemma(lemma: &CheckedLemma) -> String {
+    format!(
+        "\n    proof          {} ({}, {}, {} checked)",
+        plain::text(&lemma.text),
+        count(lemma.variables, "variable"),
+        count(lemma.clauses, "clause"),
+        count(lemma.steps, "step"),
+    )
 }

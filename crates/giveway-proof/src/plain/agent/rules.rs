@@ -103,7 +103,7 @@ impl Walker<'_> {
                 cnf.implies(&ready, [before]);
             }
         }
-        cnf.clause(self.done.last().copied());
+        cnf.clause(self.done.get(self.world.by as usize).copied());
     }
 
     /// The same of an agent without a goal: once arrived it is at one cell for good.
@@ -129,7 +129,7 @@ impl Walker<'_> {
                 }
             }
         }
-        cnf.clause(self.done.last().copied());
+        cnf.clause(self.done.get(self.world.by as usize).copied());
     }
 
     /// The level never falls below the floor before it arrives: either there

@@ -1,0 +1,195 @@
+//! A claim shown by lemmas: those that hold are proved, then that they are enough.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use giveway_model::{Cost, Instance};
+
+use super::choose::{Chooser, Grain};
+use super::refine::{Excluded, Refining, can_refine};
+use super::{Hint, LEMMA, Least, Lemma, ProvedLemma};
+use crate::plain::{self, Cnf};
+use crate::show::Keep;
+use crate::{Budget, Claim, Outcome, prove};
+
+/// The most bytes of the proof of a lemma that is tried before a weaker one.
+const SMALL_PROOF: usize = 2 << 20;
+/// The most bytes of the proof of a lemma, as a share of a whole proof.
+const SHARE: usize = 4;
+
+/// What shows a claim by lemmas.
+pub(crate) struct Shown {
+    /// The lemmas.
+    pub(crate) lemmas: Vec<ProvedLemma>,
+    /// What they add to.
+    pub(crate) least: Least,
+    /// That they are enough: the formula, and its proof.
+    pub(crate) formula: Cnf,
+    pub(crate) proof: Vec<u8>,
+}
+
+/// The lemmas that were proved for the claims of one certificate, so that none is proved twice.
+#[derive(Default)]
+pub(crate) struct Pool {
+    proved: BTreeMap<Lemma, Proved>,
+    /// Those that do not hold, or whose proof takes too much.
+    failed: BTreeSet<Lemma>,
+}
+
+struct Proved {
+    entry: ProvedLemma,
+    /// The instance of its agents, the formula and the proof, until they are kept.
+    files: Option<(Instance, Cnf, Vec<u8>)>,
+}
+
+impl Pool {
+    /// Shows a claim about a cost by lemmas, those of claims before among them; `None` where what is guessed
+    /// is not enough, or not proved within the budget.
+    pub(crate) fn show(
+        &mut self,
+        (instance, claim, cost): (&Instance, &Claim, Cost),
+        hints: &[Hint],
+        budget: &Budget<'_>,
+        keep: &mut Keep<'_>,
+    ) -> Option<Shown> {
+        let mut chooser = Chooser::new((instance, claim, cost), hints, budget);
+        let least = chooser.by()?;
+        let of = (instance, claim, least);
+        let known: Vec<&Lemma> = self.proved.keys().collect();
+        chooser.limit_arrivals(&known)?;
+        for lemma in chooser.lemmas(Grain::Cores)? {
+            self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
+        }
+        let mut enough = self.together(of, budget);
+        if enough.is_none() && can_refine(instance, claim) {
+            self.refine(of, &mut chooser, budget);
+            enough = self.together(of, budget);
+        }
+        if enough.is_none() {
+            for lemma in chooser.lemmas(Grain::Groups)? {
+                self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
+            }
+            enough = self.together(of, budget);
+        }
+        let (formula, proof) = enough?;
+        Some(Shown {
+            lemmas: self.keep(keep),
+            least,
+            formula,
+            proof,
+        })
+    }
+
+    /// That the lemmas show a claim, if they do: the formula that puts them together, and its proof.
+    fn together(
+        &self,
+        (instance, claim, least): (&Instance, &Claim, Least),
+        budget: &Budget<'_>,
+    ) -> Option<(Cnf, Vec<u8>)> {
+        let said: Vec<&Lemma> = self.proved.keys().collect();
+        if said.is_empty() {
+            return None;
+        }
+        let formula = plain::of_lemmas(instance, claim, (least, &said), budget).ok()?;
+        match prove(&formula, budget) {
+            Outcome::Proof(proof) => Some((formula, proof)),
+            Outcome::Satisfiable | Outcome::Stopped => None,
+        }
+    }
+
+    /// Adds lemmas until they are enough, or none is found any more.
+    fn refine(
+        &mut self,
+        (instance, claim, by): (&Instance, &Claim, Least),
+        chooser: &mut Chooser<'_>,
+        budget: &Budget<'_>,
+    ) -> Option<()> {
+        let least = chooser.arrivals()?;
+        let most = claim.most.get(&Cost::SumOfCosts);
+        let slack = most.map_or(u32::MAX, |&most| {
+            least
+                .iter()
+                .fold(most, |left, &own| left.saturating_sub(own))
+        });
+        let makespan = claim.most.get(&Cost::Makespan).copied();
+        let latest = |own: &u32| own.saturating_add(slack).min(makespan.unwrap_or(u32::MAX));
+        let refining = Refining {
+            instance,
+            budget,
+            latest: least.iter().map(latest).collect(),
+            least,
+        };
+        loop {
+            let said: Vec<&Lemma> = self.proved.keys().collect();
+            let formula = plain::of_lemmas(instance, claim, (by, &said), budget).ok()?;
+            let arrivals = refining.left(&formula)?;
+            let before = self.proved.len();
+            let all = refining.excluded(&arrivals)?;
+            for Excluded { lemma, late } in all {
+                let agents: Vec<String> = lemma.by.keys().cloned().collect();
+                self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
+                // That they are so late in all, however that is divided, says more.
+                let mut more = late.saturating_add(1);
+                while most.is_some()
+                    && agents.len() > 1
+                    && self.prove(instance, chooser.count(&agents, more)?, SMALL_PROOF, budget)
+                {
+                    more = more.saturating_add(1);
+                }
+            }
+            if self.proved.len() == before {
+                return None;
+            }
+        }
+    }
+
+    /// Proves a lemma, where it holds and that does not take too much; whether it is proved now.
+    fn prove(
+        &mut self,
+        instance: &Instance,
+        lemma: Lemma,
+        proof_bytes: usize,
+        budget: &Budget<'_>,
+    ) -> bool {
+        if self.proved.contains_key(&lemma) || self.failed.contains(&lemma) {
+            return false;
+        }
+        let budget = Budget {
+            proof_bytes,
+            ..*budget
+        };
+        let scene = lemma.scene(instance);
+        let formula = scene.and_then(|scene| {
+            let formula = plain::of_lemma(&scene, &lemma, &budget).ok()?;
+            Some((scene, formula))
+        });
+        let Some((scene, formula)) = formula else {
+            self.failed.insert(lemma);
+            return false;
+        };
+        let Outcome::Proof(proof) = prove(&formula, &budget) else {
+            self.failed.insert(lemma);
+            return false;
+        };
+        let entry = ProvedLemma {
+            lemma: lemma.clone(),
+            name: format!("{LEMMA}{}", self.proved.len() + 1),
+            variables: formula.variables(),
+            clauses: formula.clauses(),
+        };
+        let files = Some((scene, formula, proof));
+        self.proved.insert(lemma, Proved { entry, files });
+        true
+    }
+
+    /// All lemmas that are proved, their files kept.
+    fn keep(&mut self, keep: &mut Keep<'_>) -> Vec<ProvedLemma> {
+        let mut lemmas = Vec::new();
+        for proved in self.proved.values_mut() {
+            if let Some((scene, formula, proof)) = proved.files.take() {
+                keep(&proved.entry.name, &scene, &formula, proof);
+            }
+            lemmas.push(proved.entry.clone());
+        }
+        lemmas
+    }
+}
