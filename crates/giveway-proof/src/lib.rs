@@ -18,7 +18,6 @@ mod confirm;
 pub mod drat;
 mod escape;
 pub mod exhaust;
-mod guess;
 mod lemma;
 pub mod plain;
 mod prove;

@@ -680,12 +680,29 @@ export interface CertifyRequest {
   complete: boolean;
   within: number | null;
   plan: Plan | null;
+  /** Cores of the search, as guesses for lemmas: those of a trace. */
+  hints?: { cost: Cost; limits: Record<string, number>; agents: string[]; more: number; is_clause: boolean }[];
   limits?: Limits;
 }
 
-/** A claim that was checked: by a proof, by a search, or not. */
+/** A statement about some robots alone: they have no plan in which each arrives by its time, at such costs together. */
+export interface Lemma {
+  by: Record<string, number>;
+  most?: Partial<Record<Cost, number>>;
+}
+
+/** A claim that was checked: by a proof, by lemmas with a proof each, by a search, or not. */
 export type Checked = { text: string; claim: Claim } & (
   | { kind: "proof"; variables: number; clauses: number; steps: number }
+  | {
+      kind: "lemmas";
+      /** What the lemmas add to: the steps that goals are away, or what a search of each robot alone found. */
+      least: "distance" | "search";
+      lemmas: { text: string; lemma: Lemma; variables: number; clauses: number; steps: number }[];
+      variables: number;
+      clauses: number;
+      steps: number;
+    }
   | { kind: "search"; method: "alone" | "joint" | "counting" }
   | { kind: "none"; why: string }
 );

@@ -4,18 +4,14 @@
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use giveway_model::{Cost, words};
 use giveway_proof::bundle::{Entry, Manifest};
 
-use crate::rows;
+use crate::rows::{self, Row};
 use crate::run::Command;
 
-/// The graded instances that are certified.
-const GRADED: [&str; 17] = [
-    "A01", "A02", "A03", "A04", "A05", "A06", "A07", "A08", "B01", "B02", "B03", "B04", "B05",
-    "B06", "B07", "B08", "B13",
-];
 /// The worked examples.
 const EXAMPLES: [&str; 4] = ["warehouse", "scenario-1", "scenario-6", "dynamic-3x3"];
 
@@ -23,11 +19,11 @@ const EXAMPLES: [&str; 4] = ["warehouse", "scenario-1", "scenario-6", "dynamic-3
 const LIMIT: &str = "60";
 
 const HEAD: &str = "\
-| instance | there is no plan | variables | clauses | formula MB | proof MB | to make, CPU s | to check, CPU s |
-| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |
+| instance | no plan has less | MB | to make, CPU s | to check, CPU s |
+| --- | --- | ---: | ---: | ---: |
 ";
 
-/// The table of all of them.
+/// The table of all of them: the worked examples, and all rows of the other tables.
 ///
 /// # Errors
 /// Where the command fails, or refuses what it wrote.
@@ -35,82 +31,82 @@ pub(crate) fn table(command: &Command) -> Result<String, Box<dyn Error>> {
     let mut text = HEAD.to_owned();
     for name in EXAMPLES {
         let file = rows::data(&format!("seed/{name}.json"));
-        row(command, &mut text, name, &file)?;
+        let options = [file.to_string_lossy().into_owned()];
+        row(command, &mut text, name, &options)?;
     }
-    for name in GRADED {
-        let (stem, file) = rows::graded_file(name)?;
-        row(command, &mut text, &stem, &file)?;
+    for group in rows::groups()? {
+        for Row {
+            name,
+            file,
+            agents,
+            objective,
+            ..
+        } in &group.rows
+        {
+            let mut options = vec![file.to_string_lossy().into_owned()];
+            options.extend(["--objective".to_owned(), objective.to_string()]);
+            if let Some(agents) = agents {
+                options.extend(["--agents".to_owned(), agents.to_string()]);
+            }
+            row(command, &mut text, name, &options)?;
+        }
     }
     Ok(text)
 }
 
-/// Makes and checks one certificate; a line for each of its claims.
+/// Makes and checks one certificate.
 fn row(
     command: &Command,
     text: &mut String,
     name: &str,
-    file: &Path,
+    options: &[String],
 ) -> Result<(), Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     let place = folder.path().to_string_lossy().into_owned();
-    let file = file.to_string_lossy();
-    let made = command.seconds(&[
-        "solve",
-        &file,
-        "--quiet",
-        "--proof",
-        &place,
-        "--time-limit",
-        LIMIT,
-    ])?;
+    let mut make = vec!["solve", "--quiet", "--proof", &place, "--time-limit", LIMIT];
+    make.extend(options.iter().map(String::as_str));
+    let made = command.seconds(&make)?;
     let checked = command.seconds(&["verify", &place, "--quiet"])?;
     let manifest = fs::read_to_string(folder.path().join("manifest.json"))?;
     let manifest: Manifest = serde_json::from_str(&manifest)?;
-    // The times are those of all claims of an instance together.
-    let (mut made, mut checked) = (format!("{made:.2}"), format!("{checked:.2}"));
-    for entry in &manifest.claims {
-        let claim = entry.claim().sentence();
-        let claim = claim.trim_start_matches("There is no plan").trim();
-        let rest = match entry {
-            Entry::Proof {
-                name,
-                variables,
-                clauses,
-                ..
-            } => {
-                let size = |ending: &str| -> Result<f64, std::io::Error> {
-                    let path: PathBuf = folder.path().join(format!("{name}.{ending}"));
-                    Ok(fs::metadata(path)?.len() as f64 / 1e6)
-                };
-                let (cnf, drat) = (size("cnf")?, size("drat")?);
-                format!("{variables} | {clauses} | {cnf:.2} | {drat:.2}")
-            }
-            Entry::Lemmas { lemmas, .. } => {
-                let variables: usize = lemmas.iter().map(|lemma| lemma.variables).sum();
-                let clauses: usize = lemmas.iter().map(|lemma| lemma.clauses).sum();
-                let most = lemmas.iter().map(|lemma| lemma.lemma.by.len()).max();
-                let size = |ending: &str| -> Result<f64, std::io::Error> {
-                    let mut size = 0;
-                    for lemma in lemmas {
-                        size +=
-                            fs::metadata(folder.path().join(format!("{}.{ending}", lemma.name)))?
-                                .len();
-                    }
-                    Ok(size as f64 / 1e6)
-                };
-                let (cnf, drat) = (size("cnf")?, size("drat")?);
-                format!(
-                    "{} lemmas of at most {} robots: {variables} | {clauses} | {cnf:.2} | {drat:.2}",
-                    lemmas.len(),
-                    most.unwrap_or_default(),
-                )
-            }
-            Entry::Search { .. } => "by search | - | - | -".to_owned(),
-            Entry::None { why, .. } => format!("{} | - | - | -", why.sentence()),
-        };
-        let _ = writeln!(text, "| {name} | {claim} | {rest} | {made} | {checked} |");
-        eprintln!("{name} {claim} {rest} {made} {checked}");
-        (made, checked) = ("\"".to_owned(), "\"".to_owned());
-    }
+    let claims: Vec<String> = manifest.claims.iter().map(shown_by).collect();
+    let claims = claims.join("; ");
+    let megabytes = size(folder.path())? as f64 / 1e6;
+    let _ = writeln!(
+        text,
+        "| {name} | {claims} | {megabytes:.1} | {made:.2} | {checked:.2} |"
+    );
+    eprintln!("{name}: {claims}; {megabytes:.1} MB, {made:.2} s and {checked:.2} s");
     Ok(())
+}
+
+/// What a claim is about, and what shows it.
+fn shown_by(entry: &Entry) -> String {
+    // Costs are in the order of objectives, and the last limit is the one that no plan keeps.
+    let mut limits = Cost::ALL.iter().rev();
+    let about = limits.find(|cost| entry.claim().most.contains_key(cost));
+    let about = about.map_or("plans at all", |&cost| words::name(cost));
+    let by = match entry {
+        Entry::Proof { .. } => "a proof".to_owned(),
+        Entry::Lemmas { lemmas, .. } => {
+            let most = lemmas.iter().map(|proved| proved.lemma.by.len()).max();
+            format!(
+                "{} lemmas of at most {} robots",
+                lemmas.len(),
+                most.unwrap_or_default()
+            )
+        }
+        Entry::Search { .. } => "a search".to_owned(),
+        Entry::None { .. } => "**nothing**".to_owned(),
+    };
+    format!("{about}: {by}")
+}
+
+/// The bytes of all files of a folder.
+fn size(folder: &Path) -> Result<u64, std::io::Error> {
+    let mut bytes = 0;
+    for entry in fs::read_dir(folder)? {
+        bytes += entry?.metadata()?.len();
+    }
+    Ok(bytes)
 }

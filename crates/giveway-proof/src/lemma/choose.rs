@@ -4,22 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Cost, Instance};
 
+use super::refine::Refining;
 use super::{Hint, Least, Lemma};
-use crate::guess::Guesser;
-use crate::plain::{self, Lit, Name};
+use crate::plain::SumLimit;
 use crate::{Budget, Claim};
 
 /// The most agents of a core that builds on others for which a lemma is tried.
 const FEW_AGENTS: usize = 12;
-
-/// How finely a claim is taken apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Grain {
-    /// A lemma for each core.
-    Cores,
-    /// A lemma for all cores that share agents.
-    Groups,
-}
 
 /// What is guessed for one claim.
 pub(super) struct Chooser<'a> {
@@ -30,8 +21,6 @@ pub(super) struct Chooser<'a> {
     hints: &'a [Hint],
     budget: &'a Budget<'a>,
     least: BTreeMap<(String, Cost), u32>,
-    /// The latest arrival that lemmas about arrivals leave an agent, as far as it is known.
-    latest: BTreeMap<String, u32>,
 }
 
 impl<'a> Chooser<'a> {
@@ -47,49 +36,37 @@ impl<'a> Chooser<'a> {
             hints,
             budget,
             least: BTreeMap::new(),
-            latest: BTreeMap::new(),
         }
     }
 
-    /// The lemmas for the cores of the claim's cost, each once, in the order of the cores; `None` where the
-    /// search of one agent ends too early.
-    pub(super) fn lemmas(&mut self, grain: Grain) -> Option<Vec<Lemma>> {
-        let own: Vec<&Hint> = self
-            .hints
-            .iter()
-            .filter(|it| it.cost == self.cost)
-            .collect();
-        let mut lemmas: Vec<Lemma> = Vec::new();
-        let mut add = |lemma: Lemma| {
-            if !lemmas.contains(&lemma) {
-                lemmas.push(lemma);
-            }
-        };
-        match grain {
-            Grain::Cores => {
-                for hint in own {
-                    let is_arrival = matches!(self.cost, Cost::Makespan | Cost::SumOfCosts);
-                    let lemma = if hint.is_clause && is_arrival {
-                        self.clause(&hint.limits)?
-                    } else if hint.agents.len() > FEW_AGENTS {
-                        continue; // others are found sooner
-                    } else {
-                        self.count(&hint.agents, hint.more)?
-                    };
-                    add(lemma);
-                }
-            }
-            Grain::Groups => {
-                for (agents, more) in groups(&own) {
-                    let agents: Vec<String> = agents.into_iter().collect();
-                    let lemma = if self.cost == Cost::Makespan {
-                        self.clause(&agents.iter().map(|name| (name.clone(), u32::MAX)).collect())?
-                    } else {
-                        self.count(&agents, more)?
-                    };
-                    add(lemma);
-                }
-            }
+    /// The cores of the claim's cost, in their order.
+    pub(super) fn cores(&self) -> impl Iterator<Item = &'a Hint> + use<'a> {
+        let cost = self.cost;
+        self.hints.iter().filter(move |hint| hint.cost == cost)
+    }
+
+    /// The lemma of a core; `None` where it is about too many agents.
+    pub(super) fn of_core(&mut self, hint: &Hint) -> Option<Lemma> {
+        if hint.is_clause && is_arrival(self.cost) {
+            self.clause(&hint.limits)
+        } else if hint.agents.len() > FEW_AGENTS {
+            None // others are found sooner
+        } else {
+            self.count(&hint.agents, hint.more)
+        }
+    }
+
+    /// A lemma for all cores that share agents.
+    pub(super) fn of_groups(&mut self) -> Option<Vec<Lemma>> {
+        let own: Vec<&Hint> = self.cores().collect();
+        let mut lemmas = Vec::new();
+        for (agents, more) in groups(&own) {
+            let agents: Vec<String> = agents.into_iter().collect();
+            lemmas.push(if self.cost == Cost::Makespan {
+                self.clause(&agents.iter().map(|name| (name.clone(), u32::MAX)).collect())?
+            } else {
+                self.count(&agents, more)?
+            });
         }
         Some(lemmas)
     }
@@ -123,43 +100,87 @@ impl<'a> Chooser<'a> {
         Some(Least::Distance)
     }
 
-    /// Finds the latest arrivals that lemmas leave the agents of a later cost.
-    pub(super) fn limit_arrivals(&mut self, lemmas: &[&Lemma]) -> Option<()> {
-        let is_arrival = |cost: &Cost| matches!(cost, Cost::Makespan | Cost::SumOfCosts);
-        if is_arrival(&self.cost) || lemmas.is_empty() {
-            return Some(());
-        }
+    /// The claim as far as it is about arrivals, and what it leaves the agents of the instance.
+    pub(super) fn refining(&mut self) -> Option<(Claim, Refining<'a>)> {
         let mut claim = self.claim.clone();
-        claim.most.retain(|cost, _| is_arrival(cost));
-        let least = self.by()?;
-        let formula = plain::of_lemmas(self.instance, &claim, (least, lemmas), self.budget).ok()?;
-        let mut levels: BTreeMap<usize, BTreeMap<u32, Lit>> = BTreeMap::new();
-        for (lit, name) in (1..).zip(formula.names()) {
-            if let &Name::Level(agent, Cost::SumOfCosts, level) = name {
-                levels.entry(agent).or_default().insert(level, lit);
+        claim.most.retain(|cost, _| is_arrival(*cost));
+        let least = self.arrivals()?;
+        let slack = claim.most.get(&Cost::SumOfCosts).map_or(u32::MAX, |&most| {
+            let each = least.iter();
+            each.fold(most, |left, &own| left.saturating_sub(own))
+        });
+        let makespan = claim.most.get(&Cost::Makespan).copied();
+        let latest = |own: &u32| own.saturating_add(slack).min(makespan.unwrap_or(u32::MAX));
+        let refining = Refining {
+            instance: self.instance,
+            budget: self.budget,
+            latest: least.iter().map(latest).collect(),
+            least,
+        };
+        Some((claim, refining))
+    }
+
+    /// Whether cores that hold only with other agents are worth the search for these: where agents have
+    /// batteries, or arrivals do not say it all. Else further lemmas are found sooner.
+    pub(super) fn may_need_others(&self) -> bool {
+        let is_constrained = self.instance.constraints_in_force().next().is_some();
+        let mut agents = self.instance.agents().iter();
+        let has_battery = agents.any(|agent| agent.battery.is_some());
+        !is_constrained && (has_battery || !is_arrival(self.cost))
+    }
+
+    /// The lemma of a core that holds only with other agents, which arrive by the latest times that lemmas
+    /// leave them.
+    pub(super) fn with_others(
+        &mut self,
+        hint: &Hint,
+        (least, lemmas): (Least, &[&Lemma]),
+    ) -> Option<Lemma> {
+        let (claim, refining) = self.refining()?;
+        let mut by = refining.latest(&claim, (least, lemmas))?;
+        let all = self.instance.agents();
+        let of_arrival = is_arrival(self.cost);
+        let mut own = Vec::new();
+        for (agent, by) in all.iter().zip(&mut by) {
+            if let Some(&limit) = hint.limits.get(&agent.name).filter(|_| of_arrival) {
+                *by = limit.min(*by);
             }
         }
-        let mut guesser = Guesser::new(&formula, self.budget);
-        for (agent, levels) in levels {
-            let levels: Vec<(u32, Lit)> = levels.into_iter().collect();
-            // It can have so many of the levels, and no more.
-            let (mut low, mut high) = (0, levels.len() + 1);
-            while low + 1 < high {
-                let middle = low.midpoint(high);
-                if guesser.excludes(&[levels[middle - 1].1])? {
-                    high = middle;
-                } else {
-                    low = middle;
-                }
+        for (index, agent) in all.iter().enumerate() {
+            if hint.agents.contains(&agent.name) {
+                own.push(index);
             }
-            let name = self.instance.agents()[agent].name.clone();
-            let latest = match low.checked_sub(1) {
-                Some(last) => levels[last].0,
-                None => least.of(self.instance, agent, Cost::SumOfCosts, self.budget)?,
-            };
-            self.latest.insert(name, latest);
         }
-        Some(())
+        let limit = if of_arrival {
+            None
+        } else {
+            let mut most = hint.more.checked_sub(1)?;
+            for name in &hint.agents {
+                most = most.saturating_add(self.least(name, self.cost)?);
+            }
+            Some(SumLimit {
+                cost: self.cost,
+                agents: own.clone(),
+                most,
+            })
+        };
+        let mut agents = refining.core(&by, limit.as_ref())?;
+        let mut lemma = Lemma::default();
+        if limit.is_some() {
+            agents.extend(own);
+            let mut most = hint.more.checked_sub(1)?;
+            agents.sort_unstable();
+            agents.dedup();
+            for &agent in &agents {
+                most = most.saturating_add(self.least(&all[agent].name, self.cost)?);
+            }
+            lemma.most.insert(self.cost, most);
+        }
+        let named = agents
+            .iter()
+            .map(|&agent| (all[agent].name.clone(), by[agent]));
+        lemma.by = named.collect();
+        Some(lemma)
     }
 
     /// The least arrival of each agent.
@@ -217,11 +238,9 @@ impl<'a> Chooser<'a> {
         let makespan = claim.most.get(&Cost::Makespan).copied();
         for name in agents {
             let late = self.least(name, Cost::SumOfCosts)?.saturating_add(slack);
-            let known = self.latest.get(name).copied();
-            let latest = [makespan, known].into_iter().flatten().min();
             lemma
                 .by
-                .insert(name.clone(), late.min(latest.unwrap_or(u32::MAX)));
+                .insert(name.clone(), late.min(makespan.unwrap_or(u32::MAX)));
         }
         Some(lemma)
     }
@@ -237,6 +256,11 @@ impl<'a> Chooser<'a> {
         self.least.insert(key, least);
         (least < u32::MAX).then_some(least)
     }
+}
+
+/// Whether a cost is told by arrivals alone.
+const fn is_arrival(cost: Cost) -> bool {
+    matches!(cost, Cost::Makespan | Cost::SumOfCosts)
 }
 
 /// Agents that cores connect, each group with the number of its cores.

@@ -4,14 +4,17 @@
 //! A formula of all agents at these levels tells some that cannot keep them, which is a further lemma; if not
 //! all, then the levels would be those of a plan. A lemma is made as strong as it holds: each of its
 //! arrivals as late as can be. Nothing here is believed: lemmas made of it are proved.
+//!
+//! A core of the search may rest on what it had excluded of other agents before. Then the same formula, with the
+//! others as late as the lemmas so far leave them, tells whom the lemma needs beside the agents of the core.
 
 use std::collections::BTreeMap;
 
 use giveway_model::{Cost, Instance};
 
-use super::Lemma;
-use crate::guess::{Guess, Guesser};
-use crate::plain::{self, Cnf, Lit, Name};
+use super::{Least, Lemma};
+use crate::plain::{self, Cnf, Lit, Name, SumLimit};
+use crate::prove::guess::{Guess, Guesser};
 use crate::{Budget, Claim};
 
 /// The most agents of which the arrivals of a lemma are made later.
@@ -65,7 +68,7 @@ impl Refining<'_> {
 
     /// Agents that cannot keep these arrivals: several sets, which share none.
     pub(super) fn excluded(&self, arrivals: &[u32]) -> Option<Vec<Excluded>> {
-        let (formula, asked) = plain::of_some(self.instance, arrivals, self.budget).ok()?;
+        let (formula, asked) = plain::of_some(self.instance, arrivals, None, self.budget).ok()?;
         let mut guesser = Guesser::new(&formula, self.budget);
         let mut open = asked.clone();
         let mut found = Vec::new();
@@ -80,6 +83,70 @@ impl Refining<'_> {
             found.push(self.excluded_of(&agents, arrivals)?);
         }
         Some(found)
+    }
+
+    /// Agents that cannot keep these arrivals and a limit, if there are such.
+    pub(super) fn core(&self, arrivals: &[u32], limit: Option<&SumLimit>) -> Option<Vec<usize>> {
+        let formula = plain::of_some(self.instance, arrivals, limit, self.budget);
+        let (formula, asked) = formula.ok()?;
+        let Guess::Core(core) = Guesser::new(&formula, self.budget).guess(&asked)? else {
+            return None;
+        };
+        let is_in = |agent: &usize| core.contains(&asked[*agent]);
+        Some((0..asked.len()).filter(is_in).collect())
+    }
+
+    /// The latest arrivals that lemmas leave within a claim about arrivals.
+    pub(super) fn latest(
+        &self,
+        claim: &Claim,
+        (by, lemmas): (Least, &[&Lemma]),
+    ) -> Option<Vec<u32>> {
+        let formula = |claim: &Claim| {
+            let formula = plain::of_lemmas(self.instance, claim, (by, lemmas), self.budget);
+            formula.ok()
+        };
+        let of_claim = formula(claim)?;
+        let mut levels: BTreeMap<usize, Vec<(u32, Lit)>> = BTreeMap::new();
+        for (lit, name) in (1..).zip(of_claim.names()) {
+            if let &Name::Level(agent, Cost::SumOfCosts, level) = name {
+                levels.entry(agent).or_default().push((level, lit));
+            }
+        }
+        let mut latest = self.latest.clone();
+        if let Some(&most) = claim.most.get(&Cost::SumOfCosts) {
+            // Those of no lemma have what is left beyond the least of all together.
+            let least: u32 = self.least.iter().sum();
+            let (mut low, mut high) = (least.checked_sub(1)?, most);
+            while low + 1 < high {
+                let middle = low.midpoint(high);
+                let mut less = claim.clone();
+                less.most.insert(Cost::SumOfCosts, middle);
+                match Guesser::new(&formula(&less)?, self.budget).guess(&[])? {
+                    Guess::Core(_) => low = middle,
+                    Guess::Model(_) => high = middle,
+                }
+            }
+            for (latest, &least) in latest.iter_mut().zip(&self.least) {
+                *latest = (*latest).min(least.saturating_add(most - high));
+            }
+        }
+        let mut guesser = Guesser::new(&of_claim, self.budget);
+        for (agent, levels) in levels {
+            // It can have so many of the levels, and not so many.
+            let (mut low, mut high) = (0, levels.len() + 1);
+            while low + 1 < high {
+                let middle = low.midpoint(high);
+                if guesser.excludes(&[levels[middle - 1].1])? {
+                    high = middle;
+                } else {
+                    low = middle;
+                }
+            }
+            let most = low.checked_sub(1).map(|last| levels[last].0);
+            latest[agent] = most.unwrap_or(self.least[agent]).min(self.latest[agent]);
+        }
+        Some(latest)
     }
 
     fn excluded_of(&self, agents: &[usize], arrivals: &[u32]) -> Option<Excluded> {
@@ -113,7 +180,7 @@ impl Refining<'_> {
         scene.retain_agents(|agent| agents.iter().any(|&one| all[one].name == agent.name));
         let latest = |&agent: &usize| by[&agent].saturating_add(WIDER).min(self.latest[agent]);
         let latest: Vec<u32> = agents.iter().map(latest).collect();
-        let (formula, asked) = plain::of_some(&scene, &latest, self.budget).ok()?;
+        let (formula, asked) = plain::of_some(&scene, &latest, None, self.budget).ok()?;
         let done: BTreeMap<(usize, u32), Lit> = (1..)
             .zip(formula.names())
             .filter_map(|(lit, name)| match *name {

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use giveway_model::{Cost, Instance};
 
-use super::choose::{Chooser, Grain};
-use super::refine::{Excluded, Refining, can_refine};
+use super::choose::Chooser;
+use super::refine::{Excluded, can_refine};
 use super::{Hint, LEMMA, Least, Lemma, ProvedLemma};
 use crate::plain::{self, Cnf};
 use crate::show::Keep;
@@ -54,10 +54,20 @@ impl Pool {
         let mut chooser = Chooser::new((instance, claim, cost), hints, budget);
         let least = chooser.by()?;
         let of = (instance, claim, least);
-        let known: Vec<&Lemma> = self.proved.keys().collect();
-        chooser.limit_arrivals(&known)?;
-        for lemma in chooser.lemmas(Grain::Cores)? {
-            self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
+        let most = budget.proof_bytes / SHARE;
+        let may_need_others = chooser.may_need_others();
+        for hint in chooser.cores() {
+            let lemma = chooser.of_core(hint);
+            let is_proved = lemma.is_some_and(|lemma| {
+                self.proved.contains_key(&lemma) || self.prove(instance, lemma, most, budget)
+            });
+            if is_proved || !may_need_others || !hint.is_clause {
+                continue;
+            }
+            let said: Vec<&Lemma> = self.proved.keys().collect();
+            if let Some(lemma) = chooser.with_others(hint, (least, &said)) {
+                self.prove(instance, lemma, most, budget);
+            }
         }
         let mut enough = self.together(of, budget);
         if enough.is_none() && can_refine(instance, claim) {
@@ -65,8 +75,8 @@ impl Pool {
             enough = self.together(of, budget);
         }
         if enough.is_none() {
-            for lemma in chooser.lemmas(Grain::Groups)? {
-                self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
+            for lemma in chooser.of_groups()? {
+                self.prove(instance, lemma, most, budget);
             }
             enough = self.together(of, budget);
         }
@@ -103,21 +113,8 @@ impl Pool {
         chooser: &mut Chooser<'_>,
         budget: &Budget<'_>,
     ) -> Option<()> {
-        let least = chooser.arrivals()?;
-        let most = claim.most.get(&Cost::SumOfCosts);
-        let slack = most.map_or(u32::MAX, |&most| {
-            least
-                .iter()
-                .fold(most, |left, &own| left.saturating_sub(own))
-        });
-        let makespan = claim.most.get(&Cost::Makespan).copied();
-        let latest = |own: &u32| own.saturating_add(slack).min(makespan.unwrap_or(u32::MAX));
-        let refining = Refining {
-            instance,
-            budget,
-            latest: least.iter().map(latest).collect(),
-            least,
-        };
+        let (_, refining) = chooser.refining()?;
+        let is_sum = claim.most.contains_key(&Cost::SumOfCosts);
         loop {
             let said: Vec<&Lemma> = self.proved.keys().collect();
             let formula = plain::of_lemmas(instance, claim, (by, &said), budget).ok()?;
@@ -129,7 +126,7 @@ impl Pool {
                 self.prove(instance, lemma, budget.proof_bytes / SHARE, budget);
                 // That they are so late in all, however that is divided, says more.
                 let mut more = late.saturating_add(1);
-                while most.is_some()
+                while is_sum
                     && agents.len() > 1
                     && self.prove(instance, chooser.count(&agents, more)?, SMALL_PROOF, budget)
                 {

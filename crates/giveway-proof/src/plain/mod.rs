@@ -92,10 +92,12 @@ pub fn of_lemma(instance: &Instance, lemma: &Lemma, budget: &Budget<'_>) -> Resu
 }
 
 /// Plans in which each agent that is asked for arrives by its time: a formula to be solved under
-/// assumptions, with the literal of each agent that asks for it. Rules of the scene's own are left out.
+/// assumptions, with the literal of each agent that asks for it. Some agents may have a limit on a sum of
+/// costs. Rules of the scene's own are left out.
 pub(crate) fn of_some(
     instance: &Instance,
     by: &[u32],
+    limit: Option<&SumLimit>,
     budget: &Budget<'_>,
 ) -> Result<(Cnf, Vec<Lit>), NoFormula> {
     let last = by.iter().copied().max().ok_or(NoFormula::NoAgent)?;
@@ -120,7 +122,29 @@ pub(crate) fn of_some(
     meet::vertices(&mut cnf, instance, last, &walkers);
     meet::edges(&mut cnf, instance, last, &walkers);
     check(&cnf, budget)?;
+    if let Some(SumLimit { cost, agents, most }) = limit {
+        let of_sum = agents.iter().filter_map(|&agent| walkers.get(agent));
+        let counted: Vec<Vec<Lit>> = of_sum.map(|it| it.counted(&mut cnf, *cost)).collect();
+        let name = |n| Name::AtLeast(*cost, n);
+        count::at_most(
+            &mut cnf,
+            &name,
+            &counted,
+            false,
+            *most as usize,
+            budget.clauses,
+        );
+        check(&cnf, budget)?;
+    }
     Ok((cnf, asked))
+}
+
+/// A limit on what some agents cost together.
+pub(crate) struct SumLimit {
+    pub(crate) cost: Cost,
+    /// By their numbers.
+    pub(crate) agents: Vec<usize>,
+    pub(crate) most: u32,
 }
 
 /// The limits that the plans of a formula keep.

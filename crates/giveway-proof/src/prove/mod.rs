@@ -1,7 +1,9 @@
-//! Proofs of formulas: beside [`guess`](crate::guess) the only place here that knows a SAT solver.
+//! Proofs of formulas: the only place here that knows a SAT solver.
 //!
 //! varisat writes DRAT as long as nothing is assumed and no clause is added
 //! after the first call; a plain formula needs neither.
+
+pub(crate) mod guess;
 
 use std::cell::RefCell;
 use std::io::{self, Write};
