@@ -209,13 +209,13 @@ fn lemmas_that_are_not_so_or_not_enough_are_refused() {
                 .lemma
                 .most
                 .values_mut()
-                .for_each(|most| *most += 1)
+                .for_each(|most| *most += 1);
         }),
         ("later than is so", |lemmas| {
             lemmas[0].lemma.most.clear();
         }),
         ("less than is proved", |lemmas| {
-            lemmas[0].lemma.by.values_mut().for_each(|by| *by -= 1)
+            lemmas[0].lemma.by.values_mut().for_each(|by| *by -= 1);
         }),
         ("one is missing", |lemmas| drop(lemmas.pop())),
         ("an agent that does not exist", |lemmas| {
@@ -224,7 +224,7 @@ fn lemmas_that_are_not_so_or_not_enough_are_refused() {
         }),
         ("about nobody", |lemmas| lemmas[0].lemma.by.clear()),
         ("two of one name", |lemmas| {
-            lemmas[1].name = lemmas[0].name.clone()
+            lemmas[1].name = lemmas[0].name.clone();
         }),
     ];
     let instance = crossings();

@@ -43,72 +43,7 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     for entry in &manifest.claims {
         let claim = entry.claim();
         let _ = write!(text, "- **{}** ", escape::markdown(&claim.sentence()));
-        match entry {
-            Entry::Proof {
-                name,
-                variables,
-                clauses,
-                ..
-            } => {
-                let [cnf, drat, names] = proof_files(name);
-                let _ = write!(
-                    text,
-                    "*A proof that can be checked:* `{cnf}` says that there is such a plan ({}, {}; \
-                     `{names}` tells what they mean), `{drat}` proves that nothing satisfies it.",
-                    count(*variables, "variable"),
-                    count(*clauses, "clause"),
-                );
-                text.push_str(horizon(entry, instance).as_str());
-            }
-            Entry::Lemmas {
-                name,
-                least,
-                lemmas,
-                ..
-            } => {
-                let [cnf, drat, _] = proof_files(name);
-                let _ = write!(
-                    text,
-                    "*Proofs of lemmas that can be checked:* each is about some robots alone, with a \
-                     formula and a proof of its own. `{cnf}` says that they leave room for such a plan, \
-                     beyond {}; `{drat}` proves that nothing satisfies it.",
-                    match least {
-                        Least::Distance => "the steps that each goal is away",
-                        Least::Search => {
-                            "what each robot needs alone, which rests on a search of it on the map"
-                        }
-                    }
-                );
-                for proved in lemmas {
-                    let _ = write!(
-                        text,
-                        "\n  - `{}`: {}",
-                        proved.name,
-                        escape::markdown(&proved.lemma.sentence())
-                    );
-                }
-            }
-            Entry::Search { method, .. } => {
-                text.push_str("*No proof: it rests on search.* ");
-                text.push_str(match method {
-                    Method::Alone => {
-                        "For each robot alone on the map, a search found the least that it needs."
-                    }
-                    Method::Joint => {
-                        "A search went through all states of all robots together; no state that \
-                         can be reached ends such a plan."
-                    }
-                    Method::Counting => {
-                        "Some robots have to pass where only so many can be at a time; the time \
-                         that they need there, one after the other, was counted."
-                    }
-                });
-                text.push_str(" To check it, a program other than the solver searches again.");
-            }
-            Entry::None { why, .. } => {
-                let _ = write!(text, "*Not certified.* {}", why.sentence());
-            }
-        }
+        shown_by(&mut text, entry, instance);
         text.push('\n');
     }
     if manifest.claims.is_empty() {
@@ -123,6 +58,76 @@ pub(crate) fn text(manifest: &Manifest, instance: &Instance) -> String {
     }
     text.push_str(HOW);
     text
+}
+
+/// What a claim rests on.
+fn shown_by(text: &mut String, entry: &Entry, instance: &Instance) {
+    match entry {
+        Entry::Proof {
+            name,
+            variables,
+            clauses,
+            ..
+        } => {
+            let [cnf, drat, names] = proof_files(name);
+            let _ = write!(
+                text,
+                "*A proof that can be checked:* `{cnf}` says that there is such a plan ({}, {}; \
+                 `{names}` tells what they mean), `{drat}` proves that nothing satisfies it.",
+                count(*variables, "variable"),
+                count(*clauses, "clause"),
+            );
+            text.push_str(horizon(entry, instance).as_str());
+        }
+        Entry::Lemmas {
+            name,
+            least,
+            lemmas,
+            ..
+        } => {
+            let [cnf, drat, _] = proof_files(name);
+            let _ = write!(
+                text,
+                "*Proofs of lemmas that can be checked:* each is about some robots alone, with a \
+                 formula and a proof of its own. `{cnf}` says that they leave room for such a plan, \
+                 beyond {}; `{drat}` proves that nothing satisfies it.",
+                match least {
+                    Least::Distance => "the steps that each goal is away",
+                    Least::Search => {
+                        "what each robot needs alone, which rests on a search of it on the map"
+                    }
+                }
+            );
+            for proved in lemmas {
+                let _ = write!(
+                    text,
+                    "\n  - `{}`: {}",
+                    proved.name,
+                    escape::markdown(&proved.lemma.sentence())
+                );
+            }
+        }
+        Entry::Search { method, .. } => {
+            text.push_str("*No proof: it rests on search.* ");
+            text.push_str(match method {
+                Method::Alone => {
+                    "For each robot alone on the map, a search found the least that it needs."
+                }
+                Method::Joint => {
+                    "A search went through all states of all robots together; no state that \
+                     can be reached ends such a plan."
+                }
+                Method::Counting => {
+                    "Some robots have to pass where only so many can be at a time; the time \
+                     that they need there, one after the other, was counted."
+                }
+            });
+            text.push_str(" To check it, a program other than the solver searches again.");
+        }
+        Entry::None { why, .. } => {
+            let _ = write!(text, "*Not certified.* {}", why.sentence());
+        }
+    }
 }
 
 /// The rules of the scene's own, a line each.
