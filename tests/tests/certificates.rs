@@ -16,9 +16,13 @@ use std::process::Command;
 use giveway_model::{Cost, Instance, Objective};
 use giveway_proof::bundle::{Entry, Manifest};
 use giveway_proof::exhaust::{Exhausted, exhaust, exhaust_kind};
-use giveway_proof::{Budget, Bundle, Claim, Outcome, Solved, drat, export, plain, prove, verify};
+use giveway_proof::{
+    Budget, Bundle, Certified, Claim, Conclusion, Outcome, Solved, drat, export, plain, prove,
+    verify,
+};
+use giveway_solve::{CertifyRequest, Status, Thresholds};
 use giveway_tests::oracle::{Question, Verdict};
-use giveway_tests::{known, questions, random, recount, truth};
+use giveway_tests::{ask, known, questions, random, recount, truth};
 
 /// Whether the plain formula of a claim can be satisfied; a proof that it
 /// cannot is checked.
@@ -307,4 +311,27 @@ fn a_checker_of_somebody_else_accepts_the_proofs() {
             }
         }
     }
+}
+
+/// The formula of forty robots would be too large: lemmas about few of them show the sum of costs.
+#[test]
+fn forty_robots_are_certified_by_lemmas_about_few() {
+    let instance = known::mmapf("B10");
+    let answer = ask::best_at_pace(&instance, None, Thresholds::default(), None);
+    assert_eq!(answer.status, Status::Optimal);
+    let request = CertifyRequest::of_solved(instance.to_scene(), None, &answer);
+    let request = request.with_hints(answer.trace.as_ref());
+    let bundle = export(&request.claims(&instance), &Budget::default());
+    let manifest: Manifest = serde_json::from_slice(&bundle["manifest.json"]).unwrap();
+    let lemmas = manifest.claims.iter().find_map(|entry| match entry {
+        Entry::Lemmas { lemmas, .. } => Some(lemmas),
+        Entry::Proof { .. } | Entry::Search { .. } | Entry::None { .. } => None,
+    });
+    let lemmas = lemmas.unwrap();
+    let largest = lemmas.iter().map(|proved| proved.lemma.by.len()).max();
+    assert!(largest <= Some(6), "{largest:?}");
+    let report = verify(&bundle, &Budget::default());
+    assert!(report.accepted, "{:?}", report.reason);
+    assert_ne!(report.certified, Certified::NotCertified);
+    assert!(matches!(report.concluded, Some(Conclusion::Best { .. })));
 }

@@ -34,7 +34,10 @@ fn budget() -> Budget<'static> {
 fn request(instance: &Instance) -> Option<CertifyRequest> {
     let answer = ask::best_at_pace(instance, None, Thresholds::default(), None);
     let is_best = answer.status == Status::Optimal && answer.reach.is_complete();
-    is_best.then(|| CertifyRequest::of_solved(instance.to_scene(), None, &answer))
+    is_best.then(|| {
+        CertifyRequest::of_solved(instance.to_scene(), None, &answer)
+            .with_hints(answer.trace.as_ref())
+    })
 }
 
 fn certificate(instance: &Instance, request: &CertifyRequest) -> Bundle {

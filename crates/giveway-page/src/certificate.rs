@@ -52,6 +52,7 @@ pub(crate) fn certificates(state: &State) -> Option<(Certifies, Vec<Certificate>
             Certifies::Answer(_) | Certifies::Freedom(_) => "best",
         };
         let name = name.to_owned();
+        let request = proof::hinted(&about, request);
         return Some((about, vec![Certificate { name, request }]));
     };
     let instance = instance(freedom)?;

@@ -109,6 +109,14 @@ pub(crate) fn request(state: &State) -> Option<(Certifies, CertifyRequest)> {
     claims_something(&request).then_some((about, request))
 }
 
+/// A request that is to be carried out, with guesses for lemmas.
+pub(crate) fn hinted(about: &Certifies, request: CertifyRequest) -> CertifyRequest {
+    match about {
+        Certifies::Answer(answer) => request.with_hints(answer.solved.trace.as_ref()),
+        Certifies::Question(_) | Certifies::Freedom(_) => request,
+    }
+}
+
 /// Whether anything is claimed not to be: a bound of 0 says nothing.
 fn claims_something(request: &CertifyRequest) -> bool {
     request.impossible || request.bounds.values().any(|&bound| bound > 0)

@@ -47,6 +47,7 @@ pub(crate) fn request(answered: Answered) -> Result<Request, Failure> {
     let certificates = match &answered.answer {
         Answer::Solve(answer) => {
             let request = CertifyRequest::of_solved(instance.to_scene(), None, answer);
+            let request = request.with_hints(answer.trace.as_ref());
             one("solved", request)
         }
         Answer::Explain(answer) => {

@@ -20,6 +20,7 @@ use crate::{
     Host, Limits, Progress, Refusal, SolveAnswer, Status,
     budget::Budget,
     explain::{ExplainAnswer, Verdict},
+    trace::SearchTrace,
 };
 
 pub(crate) use export::export;
@@ -69,9 +70,16 @@ impl CertifyRequest {
             complete: answer.reach.is_complete(),
             within: answer.reach.within(),
             plan: answer.plan.clone(),
-            hints: hints::hints(answer.trace.as_ref()),
+            hints: Vec::new(),
             limits: Limits::default(),
         }
+    }
+
+    /// The same with guesses for lemmas, by the steps of the search, where they are known.
+    #[must_use]
+    pub fn with_hints(mut self, trace: Option<&SearchTrace>) -> Self {
+        self.hints = hints::hints(trace);
+        self
     }
 
     /// The claims of the answer to a question about a plan: no other plan of that kind exists, or the best of

@@ -123,7 +123,8 @@ fn solved(shows: Shows, instance: Instance) -> Option<(Instance, CertifyRequest)
         Shows::ChargesFirst => answer.costs.is_some_and(|costs| costs.charges > 0),
         _ => answer.status == Status::Optimal,
     };
-    let request = CertifyRequest::of_solved(instance.to_scene(), None, &answer);
+    let request = CertifyRequest::of_solved(instance.to_scene(), None, &answer)
+        .with_hints(answer.trace.as_ref());
     suits.then_some((instance, request))
 }
 

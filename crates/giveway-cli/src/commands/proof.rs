@@ -55,6 +55,7 @@ pub(crate) fn write_solved(
     asker: &Asker<'_>,
 ) -> Result<(), Failure> {
     let request = CertifyRequest::of_solved(instance.to_scene(), None, answer);
+    let request = request.with_hints(answer.trace.as_ref());
     write(folder, &request.claims(instance), asker)
 }
 

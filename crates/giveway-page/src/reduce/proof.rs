@@ -20,7 +20,7 @@ pub(super) fn start(state: &mut State) {
     state.work.start(Task::Certify(Certifying {
         request: Rc::new(CertifyRequest {
             limits: limits(state),
-            ..request
+            ..proof::hinted(&about, request)
         }),
         about,
         at: None,
