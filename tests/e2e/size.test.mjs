@@ -20,9 +20,9 @@ const LATER = /^app-.*_later\.wasm$/;
  */
 const STAGES = [
   ["until something moves", /^$|^(end-)?style-|^opening-|^guard-|^boot-|^static\/opening\.json$|^icon\.svg$|^manifest\./, 30_200],
-  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 618_000],
-  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 776_000],
-  ["until all of the page is there", /^app-.*_later\.wasm$|^later-style-/, 1_402_500],
+  ["until the application is there", /^app-(?!.*_later)|^unstarted-|^static\/icons\.svg$/, 618_500],
+  ["until it can solve", /^worker-|^solver-(?!.*_later)/, 776_500],
+  ["until all of the page is there", /^app-.*_later\.wasm$|^later-style-/, 1_404_000],
 ];
 
 let host;
