@@ -54,11 +54,23 @@ impl Command {
     /// # Errors
     /// Where it cannot be run or does not end well.
     pub(crate) fn seconds(&self, words: &[&str]) -> Result<f64, Box<dyn Error>> {
+        self.seconds_with_status(words, 0)
+    }
+
+    /// The same of a call that ends with another exit status.
+    ///
+    /// # Errors
+    /// Where it cannot be run or ends otherwise.
+    pub(crate) fn seconds_with_status(
+        &self,
+        words: &[&str],
+        status: i32,
+    ) -> Result<f64, Box<dyn Error>> {
         let mut command = process::Command::new(&self.program);
         command.args(words);
         command.stdin(Stdio::null()).stdout(Stdio::null());
         let ended = command.spawn()?.wait4()?;
-        if !ended.status.success() {
+        if ended.status.code() != Some(status) {
             return Err(format!("giveway {}: {}", words.join(" "), ended.status).into());
         }
         Ok((ended.rusage.utime + ended.rusage.stime).as_secs_f64())
