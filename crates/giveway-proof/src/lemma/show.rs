@@ -11,6 +11,8 @@ use crate::plain::{self, Cnf};
 use crate::show::Keep;
 use crate::{Budget, Claim, Outcome, prove};
 
+/// How often further lemmas are looked for: some half minute for fifty robots.
+const ROUNDS: usize = 100;
 /// The most bytes of the proof of a lemma that is tried before a weaker one.
 const SMALL_PROOF: usize = 2 << 20;
 /// The most bytes of the proof of a lemma, as a share of a whole proof.
@@ -115,7 +117,7 @@ impl Pool {
     ) -> Option<()> {
         let (_, refining) = chooser.refining()?;
         let is_sum = claim.most.contains_key(&Cost::SumOfCosts);
-        loop {
+        for _ in 0..ROUNDS {
             let said: Vec<&Lemma> = self.proved.keys().collect();
             let formula = plain::of_lemmas(instance, claim, (by, &said), budget).ok()?;
             let arrivals = refining.left(&formula)?;
@@ -137,6 +139,7 @@ impl Pool {
                 return None;
             }
         }
+        None
     }
 
     /// Proves a lemma, where it holds and that does not take too much; whether it is proved now.

@@ -27,7 +27,11 @@ impl<'a> Guesser<'a> {
     pub(crate) fn new(formula: &Cnf, budget: &Budget<'a>) -> Self {
         let mut solver = Solver::new();
         // It is written only so that it can be stopped.
-        solver.write_proof(Watched { budget: *budget }, ProofFormat::Varisat);
+        let watched = Watched {
+            budget: *budget,
+            left: budget.proof_bytes,
+        };
+        solver.write_proof(watched, ProofFormat::Varisat);
         for clause in formula.iter() {
             solver.add_clause(&inward(clause));
         }
@@ -78,17 +82,22 @@ fn outward(lits: &[VarisatLit]) -> Vec<Lit> {
         .collect()
 }
 
-/// A proof that nobody keeps.
+/// A proof that nobody keeps, but whose length is the work that was done.
 struct Watched<'a> {
     budget: Budget<'a>,
+    /// The bytes that may still be written.
+    left: usize,
 }
 
 impl Write for Watched<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if (self.budget.go_on)() {
-            Ok(bytes.len())
-        } else {
-            Err(io::Error::other("the budget is spent"))
+        let left = self.left.checked_sub(bytes.len());
+        match left.filter(|_| (self.budget.go_on)()) {
+            Some(left) => {
+                self.left = left;
+                Ok(bytes.len())
+            }
+            None => Err(io::Error::other("the budget is spent")),
         }
     }
 
