@@ -101,6 +101,10 @@ pub(crate) fn of_some(
     budget: &Budget<'_>,
 ) -> Result<(Cnf, Vec<Lit>), NoFormula> {
     let last = by.iter().copied().max().ok_or(NoFormula::NoAgent)?;
+    let cells = instance.grid().width() as usize * instance.grid().height() as usize;
+    if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
+        return Err(NoFormula::TooLarge);
+    }
     let mut cnf = Cnf::default();
     let (mut walkers, mut asked) = (Vec::new(), Vec::new());
     for (index, &by) in by.iter().enumerate() {
