@@ -17,13 +17,13 @@ pub(crate) struct Named<'a> {
     pub(crate) name: &'a str,
     /// The instance that it is about.
     pub(crate) instance: &'a Instance,
-    of: Of<'a>,
+    statement: Statement<'a>,
     variables: usize,
     clauses: usize,
 }
 
 /// The statement that a formula contradicts.
-enum Of<'a> {
+enum Statement<'a> {
     /// A claim, by the rules of the problem.
     Claim(&'a Claim),
     /// A lemma, likewise, of its agents alone.
@@ -35,10 +35,10 @@ enum Of<'a> {
 impl Named<'_> {
     /// The formula, written again; its size must be the one that is said.
     pub(crate) fn formula(&self, budget: &Budget<'_>) -> Result<Cnf, Fault> {
-        let formula = match &self.of {
-            Of::Claim(claim) => plain::formula(self.instance, claim, budget),
-            Of::Lemma(lemma) => plain::of_lemma(self.instance, lemma, budget),
-            Of::Lemmas(claim, (least, lemmas)) => {
+        let formula = match &self.statement {
+            Statement::Claim(claim) => plain::formula(self.instance, claim, budget),
+            Statement::Lemma(lemma) => plain::of_lemma(self.instance, lemma, budget),
+            Statement::Lemmas(claim, (least, lemmas)) => {
                 plain::of_lemmas(self.instance, claim, (*least, lemmas), budget)
             }
         };
@@ -124,7 +124,7 @@ impl<'a> CheckedLemmas<'a> {
         let needed = steps(&Named {
             name: &proved.name,
             instance: &of_agents,
-            of: Of::Lemma(&proved.lemma),
+            statement: Statement::Lemma(&proved.lemma),
             variables: proved.variables,
             clauses: proved.clauses,
         })?;
@@ -153,7 +153,7 @@ fn check_entry<'a>(
             let steps = steps(&Named {
                 name,
                 instance,
-                of: Of::Claim(of),
+                statement: Statement::Claim(of),
                 variables,
                 clauses,
             })?;
@@ -189,11 +189,11 @@ fn check_entry<'a>(
                     steps: lemmas.steps(instance, proved, steps)?,
                 });
             }
-            let said = proved.iter().map(|proved| &proved.lemma).collect();
+            let stated = proved.iter().map(|proved| &proved.lemma).collect();
             let steps = steps(&Named {
                 name,
                 instance,
-                of: Of::Lemmas(of, (*least, said)),
+                statement: Statement::Lemmas(of, (*least, stated)),
                 variables: *variables,
                 clauses: *clauses,
             })?;

@@ -7,7 +7,7 @@ use giveway_model::{Cost, Instance, Objective, Plan, check};
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
 use crate::exhaust::{Exhausted, least};
-use crate::lemma::Pool;
+use crate::lemma::{Effort, Pool};
 use crate::plain::{Cnf, NoFormula};
 use crate::search::counts;
 use crate::{Budget, Claim, Hint, Outcome, plain, prove};
@@ -125,7 +125,7 @@ impl Showing<'_> {
             };
             let entry = self.proof(name, &claim, &small).ok();
             let entry = entry.or_else(|| self.alone(&claim));
-            if let Some(entry) = entry.or_else(|| self.lemmas(cost, &claim)) {
+            if let Some(entry) = entry.or_else(|| self.lemmas(cost, &claim, Effort::Suggested)) {
                 self.claims.push(entry);
                 return;
             }
@@ -143,8 +143,11 @@ impl Showing<'_> {
                 }
                 (Ok(entry), _) => self.claims.push(entry),
                 (Err(why), _) => {
-                    let entry = self.search(&claim).unwrap_or(Entry::None { claim, why });
-                    self.claims.push(entry);
+                    let further = cost.filter(|_| self.may_have_lemmas(&claim));
+                    let entry = further.and_then(|cost| self.lemmas(cost, &claim, Effort::Further));
+                    let entry = entry.or_else(|| self.search(&claim));
+                    self.claims
+                        .push(entry.unwrap_or(Entry::None { claim, why }));
                 }
             }
             return;
@@ -189,11 +192,12 @@ impl Showing<'_> {
     }
 
     /// Lemmas that show a claim.
-    fn lemmas(&mut self, cost: Cost, claim: &Claim) -> Option<Entry> {
+    fn lemmas(&mut self, cost: Cost, claim: &Claim, effort: Effort) -> Option<Entry> {
         let Solved {
             instance, hints, ..
         } = *self.solved;
         let of = (instance, claim, cost);
+        let hints = (hints, effort);
         let shown = self.pool.show(of, hints, self.budget, self.keep)?;
         let (variables, clauses) = (shown.formula.variables(), shown.formula.clauses());
         (self.keep)(cost.name(), instance, &shown.formula, shown.proof);

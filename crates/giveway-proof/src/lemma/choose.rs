@@ -120,18 +120,18 @@ impl<'a> Chooser<'a> {
         Some((claim, refining))
     }
 
-    /// Whether cores that hold only with other agents are worth the search for these: where agents have
-    /// batteries, or arrivals do not say it all. Else further lemmas are found sooner.
-    pub(super) fn may_need_others(&self) -> bool {
+    /// Whether cores that hold only with further agents are worth the search for these: where agents have
+    /// batteries, or arrivals do not say it all. Else other lemmas are found sooner.
+    pub(super) fn may_need_further_agents(&self) -> bool {
         let is_constrained = self.instance.constraints_in_force().next().is_some();
         let mut agents = self.instance.agents().iter();
         let has_battery = agents.any(|agent| agent.battery.is_some());
         !is_constrained && (has_battery || !is_arrival(self.cost))
     }
 
-    /// The lemma of a core that holds only with other agents, which arrive by the latest times that lemmas
+    /// The lemma of a core that holds only with further agents, which arrive by the latest times that lemmas
     /// leave them.
-    pub(super) fn with_others(
+    pub(super) fn with_further_agents(
         &mut self,
         hint: &Hint,
         (least, lemmas): (Least, &[&Lemma]),

@@ -22,7 +22,7 @@ use crate::exhaust::{Exhausted, least};
 use crate::{Budget, escape, plain};
 
 pub use hint::Hint;
-pub(crate) use show::Pool;
+pub(crate) use show::{Effort, Pool};
 
 /// The names of the files of lemmas begin so; a number follows.
 pub(crate) const LEMMA: &str = "lemma-";

@@ -18,6 +18,15 @@ const SMALL_PROOF: usize = 2 << 20;
 /// The most bytes of the proof of a lemma, as a share of a whole proof.
 const SHARE: usize = 4;
 
+/// Which lemmas are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// Those that the cores of the search suggest, each about its own agents: soon done.
+    Suggested,
+    /// Further ones, until they are enough.
+    Further,
+}
+
 /// What shows a claim by lemmas.
 pub(crate) struct Shown {
     /// The lemmas.
@@ -49,7 +58,7 @@ impl Pool {
     pub(crate) fn show(
         &mut self,
         (instance, claim, cost): (&Instance, &Claim, Cost),
-        hints: &[Hint],
+        (hints, effort): (&[Hint], Effort),
         budget: &Budget<'_>,
         keep: &mut Keep<'_>,
     ) -> Option<Shown> {
@@ -57,26 +66,26 @@ impl Pool {
         let least = chooser.by()?;
         let of = (instance, claim, least);
         let most = budget.proof_bytes / SHARE;
-        let may_need_others = chooser.may_need_others();
+        let needs_further = effort == Effort::Further && chooser.may_need_further_agents();
         for hint in chooser.cores() {
             let lemma = chooser.of_core(hint);
             let is_proved = lemma.is_some_and(|lemma| {
                 self.proved.contains_key(&lemma) || self.prove(instance, lemma, most, budget)
             });
-            if is_proved || !may_need_others || !hint.is_clause {
+            if is_proved || !needs_further || !hint.is_clause {
                 continue;
             }
-            let said: Vec<&Lemma> = self.proved.keys().collect();
-            if let Some(lemma) = chooser.with_others(hint, (least, &said)) {
+            let lemmas: Vec<&Lemma> = self.proved.keys().collect();
+            if let Some(lemma) = chooser.with_further_agents(hint, (least, &lemmas)) {
                 self.prove(instance, lemma, most, budget);
             }
         }
         let mut enough = self.together(of, budget);
-        if enough.is_none() && can_refine(instance, claim) {
+        if enough.is_none() && effort == Effort::Further && can_refine(instance, claim) {
             self.refine(of, &mut chooser, budget);
             enough = self.together(of, budget);
         }
-        if enough.is_none() {
+        if enough.is_none() && effort == Effort::Further {
             for lemma in chooser.of_groups()? {
                 self.prove(instance, lemma, most, budget);
             }
@@ -97,11 +106,11 @@ impl Pool {
         (instance, claim, least): (&Instance, &Claim, Least),
         budget: &Budget<'_>,
     ) -> Option<(Cnf, Vec<u8>)> {
-        let said: Vec<&Lemma> = self.proved.keys().collect();
-        if said.is_empty() {
+        let lemmas: Vec<&Lemma> = self.proved.keys().collect();
+        if lemmas.is_empty() {
             return None;
         }
-        let formula = plain::of_lemmas(instance, claim, (least, &said), budget).ok()?;
+        let formula = plain::of_lemmas(instance, claim, (least, &lemmas), budget).ok()?;
         match prove(&formula, budget) {
             Outcome::Proof(proof) => Some((formula, proof)),
             Outcome::Satisfiable | Outcome::Stopped => None,
@@ -118,8 +127,8 @@ impl Pool {
         let (_, refining) = chooser.refining()?;
         let is_sum = claim.most.contains_key(&Cost::SumOfCosts);
         for _ in 0..ROUNDS {
-            let said: Vec<&Lemma> = self.proved.keys().collect();
-            let formula = plain::of_lemmas(instance, claim, (by, &said), budget).ok()?;
+            let lemmas: Vec<&Lemma> = self.proved.keys().collect();
+            let formula = plain::of_lemmas(instance, claim, (by, &lemmas), budget).ok()?;
             let arrivals = refining.left(&formula)?;
             let before = self.proved.len();
             let all = refining.excluded(&arrivals)?;

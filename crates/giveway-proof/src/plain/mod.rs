@@ -101,22 +101,9 @@ pub(crate) fn of_some(
     budget: &Budget<'_>,
 ) -> Result<(Cnf, Vec<Lit>), NoFormula> {
     let last = by.iter().copied().max().ok_or(NoFormula::NoAgent)?;
-    let cells = instance.grid().width() as usize * instance.grid().height() as usize;
-    if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
-        return Err(NoFormula::TooLarge);
-    }
     let mut cnf = Cnf::default();
-    let (mut walkers, mut asked) = (Vec::new(), Vec::new());
-    for (index, &by) in by.iter().enumerate() {
-        let world = World {
-            instance,
-            index,
-            last,
-            by,
-        };
-        walkers.push(Walker::new(&mut cnf, world));
-        check(&cnf, budget)?;
-    }
+    let walkers = walkers(&mut cnf, instance, (by, last), budget)?;
+    let mut asked = Vec::new();
     for walker in &walkers {
         let asks = cnf.variable(Name::Group);
         cnf.given(asks, |cnf| walker.rules(cnf));
@@ -141,6 +128,32 @@ pub(crate) fn of_some(
         check(&cnf, budget)?;
     }
     Ok((cnf, asked))
+}
+
+/// The agents with their variables, each with the time by which it has arrived.
+fn walkers<'a>(
+    cnf: &mut Cnf,
+    instance: &'a Instance,
+    (by, last): (&[u32], u32),
+    budget: &Budget<'_>,
+) -> Result<Vec<Walker<'a>>, NoFormula> {
+    // Each cell at each time is some clauses, and is looked at even without agents.
+    let cells = instance.grid().width() as usize * instance.grid().height() as usize;
+    if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
+        return Err(NoFormula::TooLarge);
+    }
+    let mut walkers = Vec::new();
+    for (index, &by) in by.iter().enumerate() {
+        let world = World {
+            instance,
+            index,
+            last,
+            by,
+        };
+        walkers.push(Walker::new(cnf, world));
+        check(cnf, budget)?;
+    }
+    Ok(walkers)
 }
 
 /// A limit on what some agents cost together.
@@ -168,23 +181,8 @@ fn written<'a>(
     budget: &Budget<'_>,
 ) -> Result<(Cnf, Vec<Walker<'a>>), NoFormula> {
     let last = limits.last;
-    // Each cell at each time is some clauses, and is looked at even without agents.
-    let cells = instance.grid().width() as usize * instance.grid().height() as usize;
-    if cells.saturating_mul((last as usize).saturating_add(1)) > budget.clauses {
-        return Err(NoFormula::TooLarge);
-    }
     let mut cnf = Cnf::default();
-    let mut walkers = Vec::new();
-    for (index, &by) in limits.by.iter().enumerate() {
-        let world = World {
-            instance,
-            index,
-            last,
-            by,
-        };
-        walkers.push(Walker::new(&mut cnf, world));
-        check(&cnf, budget)?;
-    }
+    let walkers = walkers(&mut cnf, instance, (&limits.by, last), budget)?;
     for walker in &walkers {
         walker.rules(&mut cnf);
         check(&cnf, budget)?;
