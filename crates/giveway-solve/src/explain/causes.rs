@@ -9,7 +9,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use giveway_model::{Costs, Instance, sorting::sort_by_key};
+use giveway_model::{Costs, Instance, Plan, sorting::sort_by_key};
 
 use super::{
     answer::{FactKind, Helps},
@@ -72,13 +72,38 @@ pub(crate) fn find_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut
     }
 }
 
-/// Marks the facts of a minimal set that help, as many as are worth it on a large floor: those
-/// first that a person would change first.
+/// Marks facts of a minimal set that help, as many as are worth it on a large floor: those first that a
+/// person would change first. Those that are marked already stay.
 pub(crate) fn mark_causes(refuted: &Refuted, core: &mut CoreFound, inquiry: &mut dyn Inquiry) {
-    for group in changed_first(core).into_iter().take(MOST_MARKED) {
+    for group in unmarked(core) {
         let helps = leave_out(refuted, group, inquiry, false);
         core.helps.insert(group, helps);
     }
+}
+
+/// Marks those facts without which a plan near to a known one is as asked for: that is soon looked at.
+pub(crate) fn mark_near_causes(
+    refuted: &Refuted,
+    core: &mut CoreFound,
+    plan: &Plan,
+    solver: &mut dyn Solver,
+) {
+    for group in unmarked(core) {
+        if solver.is_over() {
+            return;
+        }
+        let variant = without(refuted.instance, &[group].into(), refuted.deadline);
+        if solver.near_to(plan, &variant).is_some() {
+            core.helps.insert(group, Helps::Yes);
+        }
+    }
+}
+
+fn unmarked(core: &CoreFound) -> Vec<Group> {
+    let mut groups = changed_first(core);
+    groups.retain(|group| !core.helps.contains_key(group));
+    groups.truncate(MOST_MARKED);
+    groups
 }
 
 /// The facts of a set, those first that a person would change first.
@@ -110,6 +135,8 @@ pub(crate) fn find_prices(
     let helps = |group: &Group| core.helps.get(group) == Some(&Helps::Yes);
     let (helping, others): (Vec<Group>, Vec<Group>) =
         changed_first(core).into_iter().partition(helps);
+    let is_open = |group: &Group| !core.prices.contains_key(group);
+    let helping: Vec<Group> = helping.into_iter().filter(is_open).collect();
     let others = others.into_iter().filter(|_| is_costly);
     let helping = helping.into_iter().take(MOST_PRICED);
     for group in helping.chain(others.take(MOST_PRICED)) {

@@ -27,6 +27,8 @@ use crate::{
 
 /// States that are looked at to improve a known plan, about.
 const NEARBY_STATES: u64 = 10_000;
+/// The same for what is likely to help.
+const HELPFUL_STATES: u64 = 100_000;
 /// Agents that are planned one after the other before any formula is made.
 const MOST_IN_ORDER: usize = 8;
 
@@ -85,11 +87,12 @@ impl ContrastSearch<'_, '_> {
         let mut reach: Option<Proved> = None;
         let mut agents: Vec<String> = Vec::new();
         let mut unknown = false;
-        let mut nearby = self.conditions(variant).filter(|_| self.near.is_some());
-        if let Some(plan) = nearby.find_map(|condition| self.nearby(variant, condition)) {
+        if let Some(plan) = self
+            .near
+            .and_then(|near| self.nearby(near, variant, NEARBY_STATES))
+        {
             return Tried::Plan(plan);
         }
-        drop(nearby);
         let mut in_order = self
             .conditions(variant)
             .filter(|_| self.is_part_of_floor(variant));
@@ -116,9 +119,19 @@ impl ContrastSearch<'_, '_> {
         }
     }
 
-    /// A plan near to the known one, improved by what was left out.
-    fn nearby(&self, variant: &Variant, condition: &Condition) -> Option<Plan> {
-        let near = fit(self.near?, &variant.instance);
+    /// A plan near to a known one, improved by what was left out.
+    fn nearby(&self, plan: &Plan, variant: &Variant, states: u64) -> Option<Plan> {
+        let mut conditions = self.conditions(variant);
+        conditions.find_map(|condition| self.improved(plan, variant, (condition, states)))
+    }
+
+    fn improved(
+        &self,
+        plan: &Plan,
+        variant: &Variant,
+        (condition, states): (&Condition, u64),
+    ) -> Option<Plan> {
+        let near = fit(plan, &variant.instance);
         let instance = &variant.instance;
         let relaxed = variant.relaxed.clone();
         let budget = &self.budget;
@@ -130,7 +143,7 @@ impl ContrastSearch<'_, '_> {
             &problem,
             &mut walks,
             Effort {
-                states: NEARBY_STATES,
+                states,
                 horizon: latest,
                 enough: 0,
             },
@@ -250,5 +263,9 @@ impl Solver for ContrastSearch<'_, '_> {
             };
             best_from(ask, start, budget)
         })
+    }
+
+    fn near_to(&mut self, plan: &Plan, variant: &Variant) -> Option<Plan> {
+        self.nearby(plan, variant, HELPFUL_STATES)
     }
 }

@@ -87,6 +87,12 @@ pub(crate) struct CoreFound {
 }
 
 impl CoreFound {
+    /// The facts of which it is known that leaving out one alone helps.
+    pub(crate) fn helping(&self) -> Vec<Group> {
+        let helps = |fact: &&Group| self.helps.get(fact) == Some(&Helps::Yes);
+        self.groups.iter().filter(helps).copied().collect()
+    }
+
     /// The facts for people.
     pub(crate) fn core(&self, instance: &Instance, within: Option<u32>) -> Core {
         let facts = self.groups.iter().map(|group| Fact {

@@ -3,6 +3,8 @@
 
 use std::rc::Rc;
 
+use giveway_model::sorting::sort_by_key;
+
 mod no_plan;
 mod own_plan;
 mod small;
@@ -12,16 +14,17 @@ pub(crate) use own_plan::of_own_plan;
 
 use super::{
     ExplainAnswer, Part, Verdict, WitnessEntry,
+    answer::Helps,
     contrasted::ContrastSearch,
     fact_groups::tell_tightest,
     fitting::FittingQuestion,
     group::Group,
     group_mus::CoreFound,
     own_way,
-    repairs::{Unsolved, repairs, suspects},
+    repairs::{TriedEdits, Unsolved, repairs, suspects, try_each},
     words,
 };
-use crate::{Limits, budget::Budget};
+use crate::{Limits, budget::Budget, search::Proved};
 
 /// Clauses that one part may derive and write, and joint steps that it may take.
 const DERIVED: u64 = 15_000;
@@ -109,20 +112,32 @@ pub(crate) fn of_case(
         answer.core = core.as_ref().map(told);
         word(case, &about, answer);
         tell(answer, Part::Core);
+        let mut tried = TriedEdits::default();
         if let Some(core) = core.as_mut().filter(|_| found.is_unmarked) {
+            // First those who decide, so that what is told first is the same whenever the search ends.
+            let deciding = agents.iter().flatten().map(|&agent| Group::Task(agent));
+            tried = help_of_facts(case, &deciding.collect::<Vec<_>>(), (answer, tried), budget);
+            word(case, &about, answer);
+            tell(answer, Part::Core);
             let alone = small::needs(case, answer, agents.as_ref(), budget);
             // Where the time ran out, what was told of the set before it stays.
             if !alone.is_empty() {
                 answer.alone = alone;
             }
+            small::mark_near(case, core, answer, budget);
+            answer.core = Some(told(core));
             word(case, &about, answer);
-            small::mark(case, core, answer, budget);
+            tell(answer, Part::Core);
+            tried = help_of_facts(case, &core.helping(), (answer, tried), budget);
+            word(case, &about, answer);
+            tell(answer, Part::Core);
+            small::mark(case, core, (answer, &tried), budget);
             answer.core = Some(told(core));
             word(case, &about, answer);
             tell(answer, Part::Core);
         }
-        if answer.pending.contains(&Part::Repairs) {
-            help_case(case, core.as_ref(), answer, budget);
+        if can_help(answer) {
+            help_case(case, core.as_ref(), (answer, tried), budget);
             word(case, &about, answer);
         }
     } else {
@@ -188,11 +203,35 @@ fn contrasted<'a, 'h>(
     }
 }
 
-/// The repairs; where no set of facts is known, on a large floor only.
+/// Whether it is asked what would help.
+fn can_help(answer: &ExplainAnswer) -> bool {
+    answer.pending.contains(&Part::Repairs)
+}
+
+/// Tries to leave out each of these facts, where it is asked what would help.
+fn help_of_facts(
+    case: &FittingQuestion,
+    facts: &[Group],
+    (answer, tried): (&mut ExplainAnswer, TriedEdits),
+    budget: &Rc<Budget>,
+) -> TriedEdits {
+    let Some(reach) = case.shown.filter(|_| can_help(answer)) else {
+        return tried;
+    };
+    let asked = asked(case);
+    let broken = unsolved(case, (&asked, reach), budget);
+    let mut inquiry = helping(case, answer, budget);
+    let tried = try_each(&broken, facts, tried, &mut inquiry);
+    budget.absorb(&inquiry.budget);
+    answer.repairs = tried.repairs(case.objective());
+    tried
+}
+
+/// The repairs; where no set of facts is known, on a large floor only. Some were tried before.
 fn help_case(
     case: &FittingQuestion,
     core: Option<&CoreFound>,
-    answer: &mut ExplainAnswer,
+    (answer, tried): (&mut ExplainAnswer, TriedEdits),
     budget: &Rc<Budget>,
 ) {
     let Some(reach) = case.shown else { return };
@@ -202,28 +241,56 @@ fn help_case(
     let asked = asked(case);
     let has_deadline = case.within.is_some();
     let suspects = || suspects(case.instance, &asked, has_deadline, (answer, &[]));
-    let mut inquiry = ContrastSearch {
-        budget: part_of(budget, REPAIRS),
-        ..contrasted(case, answer, budget)
-    };
+    let mut inquiry = helping(case, answer, budget);
     let broken = Unsolved {
-        instance: case.instance,
-        within: case.within,
-        objective: case.objective(),
-        plan: Some(case.plan),
-        asked: &asked,
-        arriving: case.question.arriving(),
-        charging: case.charging(),
-        reach,
         cores: core.map_or_else(Vec::new, |core| {
-            core.sets().map(<[Group]>::to_vec).collect()
+            let mut sets: Vec<Vec<Group>> = core.sets().map(<[Group]>::to_vec).collect();
+            // What is known to help is tried first.
+            if let Some(first) = sets.first_mut() {
+                sort_by_key(first, |fact| core.helps.get(fact) != Some(&Helps::Yes));
+            }
+            sets
         }),
         suspects: core.map_or_else(suspects, |_| Vec::new()),
-        whole: case.whole,
+        ..unsolved(case, (&asked, reach), budget)
     };
-    let found = repairs(&broken, &mut inquiry);
+    let found = repairs(&broken, tried, &mut inquiry);
     budget.absorb(&inquiry.budget);
     let is_of_another = |core: &CoreFound| another_could(case, &core.groups);
     answer.exhaustive = found.exhaustive && !core.is_some_and(is_of_another);
     (answer.repairs, answer.further_repairs) = (found.first, found.further);
+}
+
+/// The search for what would help.
+fn helping<'a, 'h>(
+    case: &'a FittingQuestion<'a>,
+    answer: &'a ExplainAnswer,
+    budget: &Rc<Budget<'h>>,
+) -> ContrastSearch<'a, 'h> {
+    ContrastSearch {
+        budget: part_of(budget, REPAIRS),
+        ..contrasted(case, answer, budget)
+    }
+}
+
+/// The instance that has no plan as asked for, without sets of facts.
+fn unsolved<'a>(
+    case: &'a FittingQuestion<'a>,
+    (asked, reach): (&'a [usize], Proved),
+    budget: &Budget,
+) -> Unsolved<'a> {
+    Unsolved {
+        instance: case.instance,
+        is_large: small::is_large(case.instance, budget),
+        within: case.within,
+        objective: case.objective(),
+        plan: Some(case.plan),
+        asked,
+        arriving: case.question.arriving(),
+        charging: case.charging(),
+        reach,
+        cores: Vec::new(),
+        suspects: Vec::new(),
+        whole: case.whole,
+    }
 }

@@ -99,6 +99,11 @@ impl Solver for AnyPlan<'_, '_> {
     fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan> {
         self.best(variant)
     }
+
+    // No plan is asked about where there is none.
+    fn near_to(&mut self, _: &Plan, _: &Variant) -> Option<Plan> {
+        None
+    }
 }
 
 /// The result of a search for any plan of a variant.

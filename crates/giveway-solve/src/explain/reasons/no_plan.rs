@@ -12,7 +12,7 @@ use crate::{
         ask::Found,
         causes::Refuted,
         group::Group,
-        repairs::{Unsolved, repairs, suspects},
+        repairs::{TriedEdits, Unsolved, repairs, suspects},
         unsolvable::{self, AnyPlan},
         whole::WholePlan,
         words,
@@ -66,6 +66,7 @@ pub(crate) fn of_no_plan(
         let mut any_plan = searching(REPAIRS);
         let broken = Unsolved {
             instance,
+            is_large,
             within,
             objective: instance.objective(),
             plan: None,
@@ -83,7 +84,7 @@ pub(crate) fn of_no_plan(
             },
             whole,
         };
-        let found = repairs(&broken, &mut any_plan);
+        let found = repairs(&broken, TriedEdits::default(), &mut any_plan);
         budget.absorb(&any_plan.budget);
         answer.exhaustive = found.exhaustive;
         (answer.repairs, answer.further_repairs) = (found.first, found.further);

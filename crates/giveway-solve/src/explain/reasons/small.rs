@@ -12,12 +12,14 @@ use crate::{
     explain::{
         ExplainAnswer, SubsetBound, Verdict,
         alone::{forcing_bound, subset_bounds},
+        answer::Helps,
         ask::Found,
-        causes::{Refuted, find_causes, find_prices, mark_causes},
+        causes::{Refuted, find_causes, find_prices, mark_causes, mark_near_causes},
         contrasted::ContrastSearch,
         fitting::FittingQuestion,
         group_mus::{CoreFound, Tried, group_mus, group_mus_of_agents},
         growing::{Extending, ForcingSet, MOST_AGENTS, smallest_set},
+        repairs::TriedEdits,
         unsolvable::{self, AnyPlan},
     },
     search::Proved,
@@ -146,8 +148,8 @@ pub(super) fn forcing_needs(
     bound.into_iter().collect()
 }
 
-/// Finds which facts of a reason help, and what the whole instance costs without these.
-pub(super) fn mark(
+/// Marks the facts of a reason without which a plan near to that of the question is as asked for.
+pub(super) fn mark_near(
     case: &FittingQuestion,
     core: &mut CoreFound,
     answer: &ExplainAnswer,
@@ -156,10 +158,30 @@ pub(super) fn mark(
     let Some(reach) = case.shown else { return };
     let asked = asked(case);
     let refuted = refuted(case, &asked, reach);
-    let mut inquiry = ContrastSearch {
-        budget: part_of(budget, GROWING),
-        ..contrasted(case, answer, budget)
-    };
+    let mut inquiry = contrasted(case, answer, budget);
+    mark_near_causes(&refuted, core, case.plan, &mut inquiry);
+    budget.absorb(&inquiry.budget);
+}
+
+/// Finds which facts of a reason help, and what the whole instance costs without these; `tried` are edits
+/// that were tried before.
+pub(super) fn mark(
+    case: &FittingQuestion,
+    core: &mut CoreFound,
+    (answer, tried): (&ExplainAnswer, &TriedEdits),
+    budget: &Rc<Budget>,
+) {
+    let Some(reach) = case.shown else { return };
+    for &fact in &core.groups {
+        if let Some(repair) = tried.without(fact, case.instance) {
+            let costs = case.whole.costs(repair.costs, &repair.plan);
+            core.helps.insert(fact, Helps::Yes);
+            core.prices.insert(fact, (costs, repair.proved));
+        }
+    }
+    let asked = asked(case);
+    let refuted = refuted(case, &asked, reach);
+    let mut inquiry = contrasted(case, answer, budget);
     mark_causes(&refuted, core, &mut inquiry);
     let is_costly = answer.verdict == Verdict::Costly;
     find_prices(&refuted, core, &mut inquiry, is_costly, |found| {

@@ -33,6 +33,15 @@ impl Candidate {
         }
     }
 
+    /// Whether the edit leaves a fact about an agent, or a rule, out as it is.
+    pub(super) const fn leaves_fact_out(&self) -> bool {
+        let Self::Edit(edit) = self else { return false };
+        matches!(
+            edit,
+            Edit::LeaveOut { .. } | Edit::DropWaypoint { .. } | Edit::SwitchOff { .. }
+        )
+    }
+
     /// Whether the edit weakens a fact, so that a set with it may no longer exclude a
     /// plan.
     pub(super) fn weakens(&self, fact: Group, instance: &Instance) -> bool {

@@ -4,9 +4,8 @@ use giveway_model::{MAX_CAPACITY, constraint::MAX_NUMBER};
 
 use super::{
     super::answer::Edit,
-    RepairSearch,
     candidate::{Candidate, allow_more, battery, give_until},
-    flat,
+    search::{RepairSearch, flat},
 };
 
 impl RepairSearch<'_> {

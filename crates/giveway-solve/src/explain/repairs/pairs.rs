@@ -14,8 +14,8 @@ use super::{
         group::{Group, has_slow_edge, without},
         group_mus::group_mus,
     },
-    RepairSearch,
     candidate::Candidate,
+    search::RepairSearch,
 };
 
 /// The most pairs that are tried.
@@ -27,7 +27,7 @@ impl RepairSearch<'_> {
         let mut cores = self.broken.cores.clone();
         let mut pairs = BTreeSet::new();
         for first in singles {
-            if self.tried.get(first) != Some(&Some(false)) {
+            if self.tried.outcomes.get(first) != Some(&Some(false)) {
                 continue;
             }
             let after = self.after(first);

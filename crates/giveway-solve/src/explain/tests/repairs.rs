@@ -8,7 +8,7 @@ use crate::{
         Edit, Verdict,
         group::{Group, Variant},
         group_mus::{Inquiry, Tried},
-        repairs::{EditedPlan, Solver, Unsolved, repairs},
+        repairs::{EditedPlan, Solver, TriedEdits, Unsolved, repairs},
         whole::WholePlan,
     },
     tests::instance,
@@ -72,6 +72,10 @@ impl Solver for Finds {
     fn cheapest(&mut self, variant: &Variant) -> Option<EditedPlan> {
         self.best(variant)
     }
+
+    fn near_to(&mut self, _: &Plan, _: &Variant) -> Option<Plan> {
+        None
+    }
 }
 
 #[test]
@@ -80,6 +84,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
     for proves in [true, false] {
         let broken = Unsolved {
             instance: &instance,
+            is_large: false,
             within: None,
             objective: instance.objective(),
             plan: None,
@@ -91,7 +96,7 @@ fn repairs_whose_plans_may_not_be_the_best_are_not_all_that_is_to_say() {
             suspects: Vec::new(),
             whole: WholePlan::default(),
         };
-        let found = repairs(&broken, &mut Finds::plans(proves));
+        let found = repairs(&broken, TriedEdits::default(), &mut Finds::plans(proves));
         assert_eq!(found.first.len(), 1);
         assert_eq!(found.exhaustive, proves);
     }
@@ -103,6 +108,7 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
     let instance = instance("a # A");
     let broken = Unsolved {
         instance: &instance,
+        is_large: false,
         within: None,
         objective: instance.objective(),
         plan: None,
@@ -114,7 +120,7 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
         suspects: vec![Group::Task(0), Group::Battery(0)],
         whole: WholePlan::default(),
     };
-    let found = repairs(&broken, &mut Finds::plans(true));
+    let found = repairs(&broken, TriedEdits::default(), &mut Finds::plans(true));
     let edits: Vec<_> = found.first.iter().flat_map(|it| &it.edits).collect();
     assert_eq!(
         edits,
@@ -142,6 +148,7 @@ fn what_is_left_of_the_plan_is_no_worse() {
     for (proves, accepts, makespan) in [(false, true, 2), (true, true, 9), (false, false, 9)] {
         let broken = Unsolved {
             instance: &instance,
+            is_large: false,
             within: None,
             objective: instance.objective(),
             plan: Some(&plan),
@@ -158,7 +165,7 @@ fn what_is_left_of_the_plan_is_no_worse() {
             accepts,
             ..Finds::plans(proves)
         };
-        let found = repairs(&broken, &mut finds);
+        let found = repairs(&broken, TriedEdits::default(), &mut finds);
         assert_eq!(
             found.first[0].costs.makespan, makespan,
             "{proves} {accepts}"
