@@ -34,7 +34,7 @@ impl Host for Listener {
 }
 
 /// The answer, and what was told before it.
-fn explain(
+pub(super) fn explain(
     instance: &Instance,
     plan: &Plan,
     question: &Question,
@@ -63,7 +63,7 @@ fn explain(
     }
 }
 
-fn asked(words: &str) -> Question {
+pub(super) fn asked(words: &str) -> Question {
     let words: Vec<&str> = words.split_whitespace().collect();
     from_words(&words).unwrap()
 }

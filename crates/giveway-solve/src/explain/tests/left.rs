@@ -193,30 +193,8 @@ fn a_claim_agrees_with_the_marks() {
 #[test]
 fn repairs_are_found_without_a_small_reason() {
     use crate::explain::Edit;
-    use giveway_model::{format::native, question::from_words};
-    let lanes: Vec<String> = (3..11)
-        .map(|y| format!(r#"{{ "name": "L{y}", "start": [0, {y}], "goal": [3, {y}] }}"#))
-        .collect();
-    let map = ["....", "@.@@", "@@@@"].into_iter().chain(["...."; 8]);
-    let map: Vec<String> = map
-        .map(|row| format!("{row:?}").replace('@', "#"))
-        .collect();
-    let instance = format!(
-        r#"{{ "giveway": 1, "objective": ["sum-of-costs"], "map": [{}], "agents": [
-            {{ "name": "a", "start": [0, 0], "goal": [3, 0] }},
-            {{ "name": "b", "start": [3, 0], "goal": [0, 0] }}, {}] }}"#,
-        map.join(", "),
-        lanes.join(", ")
-    );
-    let instance = native::read_instance(&instance).unwrap();
-    let lanes = (3..11).map(|y| format!(r#""L{y}": [[0, {y}], [1, {y}], [2, {y}], [3, {y}]]"#));
-    let plan = format!(
-        r#"{{ "giveway": 1, "paths": {{
-            "a": [[0, 0], [1, 0], [1, 1], [1, 0], [2, 0], [3, 0]],
-            "b": [[3, 0], [2, 0], [1, 0], [0, 0]], {} }} }}"#,
-        lanes.collect::<Vec<_>>().join(", ")
-    );
-    let plan = native::read_plan(&plan).unwrap();
+    use giveway_model::question::from_words;
+    let (instance, plan) = super::crossing_among_lanes();
     let request = Request::Explain(ExplainRequest {
         scene: instance.to_scene(),
         plan: Some(plan),

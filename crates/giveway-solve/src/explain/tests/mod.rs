@@ -9,6 +9,7 @@ mod further;
 mod growing;
 mod half_way;
 mod handed_on;
+mod helping;
 mod how;
 mod late;
 mod layers;
@@ -47,4 +48,31 @@ fn scenario_1() -> (Instance, Plan, Plan) {
     let (instance, first) = read(instance, first);
     let second = native::read_plan(second).unwrap();
     (instance, first, second)
+}
+
+/// Two agents that cross, so that one has to make room for the other, and eight that drive a lane each: many
+/// agents, of which two decide.
+fn crossing_among_lanes() -> (Instance, Plan) {
+    let lanes: Vec<String> = (3..11)
+        .map(|y| format!(r#"{{ "name": "L{y}", "start": [0, {y}], "goal": [3, {y}] }}"#))
+        .collect();
+    let map = ["....", "@.@@", "@@@@"].into_iter().chain(["...."; 8]);
+    let map: Vec<String> = map
+        .map(|row| format!("{row:?}").replace('@', "#"))
+        .collect();
+    let instance = format!(
+        r#"{{ "giveway": 1, "objective": ["sum-of-costs"], "map": [{}], "agents": [
+            {{ "name": "a", "start": [0, 0], "goal": [3, 0] }},
+            {{ "name": "b", "start": [3, 0], "goal": [0, 0] }}, {}] }}"#,
+        map.join(", "),
+        lanes.join(", ")
+    );
+    let lanes = (3..11).map(|y| format!(r#""L{y}": [[0, {y}], [1, {y}], [2, {y}], [3, {y}]]"#));
+    let plan = format!(
+        r#"{{ "giveway": 1, "paths": {{
+            "a": [[0, 0], [1, 0], [1, 1], [1, 0], [2, 0], [3, 0]],
+            "b": [[3, 0], [2, 0], [1, 0], [0, 0]], {} }} }}"#,
+        lanes.collect::<Vec<_>>().join(", ")
+    );
+    read(&instance, &plan)
 }
