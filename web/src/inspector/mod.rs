@@ -133,7 +133,7 @@ pub fn Inspector(props: &InspectorProps) -> Html {
                     { steer::begin(state, send) }
                     { state.selected_agent().map(|agent| change::breaks_down(state, agent, send)) }
                     { change::begin(state, send) }
-                    { questions::show(&questions(state, false), send) }
+                    { questions::show(&questions(state, ask::About::Plan), send) }
                     if let Some(why) = ask::no_offers(state) {
                         <p class="remark">{ why }</p>
                     }
@@ -164,8 +164,9 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
             Some(facts) => html! {
                 <>
                     { agent::show(state, &facts, send) }
-                    { questions::show(&questions(state, true), send) }
+                    { questions::show(&questions(state, ask::About::Moment), send) }
                     { rules::question(state, send) }
+                    { questions::show(&questions(state, ask::About::Selected), send) }
                     { freedom::part(state, send) }
                     { audit::conflicts(giveway_page::audit::conflicts(state).as_ref(), send) }
                     { edit::problems(state, send, |problem| problem.agent == Some(index)) }
@@ -179,6 +180,7 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
                 <>
                     { cell::show(state, &facts, send) }
                     { rules::question(state, send) }
+                    { questions::show(&questions(state, ask::About::Selected), send) }
                     { freedom::part(state, send) }
                     { edit::problems(state, send, |problem| problem.cell == Some(cell)) }
                 </>
@@ -195,10 +197,10 @@ fn content(state: &Shown, send: &Callback<Action>) -> Html {
     }
 }
 
-/// The questions about this moment, which stand below what the robot does, or all others.
-fn questions(state: &State, is_now: bool) -> Vec<ask::Group> {
+/// The questions about that.
+fn questions(state: &State, about: ask::About) -> Vec<ask::Group> {
     let mut groups = ask::offers(state);
-    groups.retain(|group| group.is_now == is_now);
+    groups.retain(|group| group.about == about);
     groups
 }
 

@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Question, tr};
 
-use super::{Group, Offer};
+use super::{About, Group, Offer};
 use crate::Answer;
 use crate::timeline::{Lane, Step, Way};
 use giveway_model::sorting::sort;
@@ -18,12 +18,12 @@ pub(super) fn groups(answer: &Answer, agent: usize, time: u32) -> Vec<Group> {
         Group {
             title: tr!("Ask about this moment").to_owned(),
             offers: moment(answer, &lane, time),
-            is_now: true,
+            about: About::Moment,
         },
         Group {
             title: tr!("Ask about {name}", name = lane.name),
             offers: whole(answer, &lane),
-            is_now: false,
+            about: About::Selected,
         },
     ]
 }

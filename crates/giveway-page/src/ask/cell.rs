@@ -2,7 +2,7 @@
 
 use giveway_model::{Cell, Ground, Question, tr};
 
-use super::{Group, Offer};
+use super::{About, Group, Offer};
 use crate::Answer;
 use crate::timeline::Lane;
 use crate::words::at;
@@ -73,6 +73,6 @@ pub(super) fn groups(answer: &Answer, cell: Cell, asker: Option<usize>) -> Vec<G
     vec![Group {
         title: tr!("Ask about {cell}", cell = at(cell)),
         offers,
-        is_now: false,
+        about: About::Selected,
     }]
 }

@@ -61,8 +61,19 @@ pub struct Group {
     pub title: String,
     /// The questions, the likeliest first; never none.
     pub offers: Vec<Offer>,
-    /// Whether they are about what the selected robot does at the time shown.
-    pub is_now: bool,
+    /// What they are about.
+    pub about: About,
+}
+
+/// What questions are about, in the order in which they stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum About {
+    /// What the selected robot does at the time shown.
+    Moment,
+    /// The robot or cell that is selected.
+    Selected,
+    /// The plan as a whole.
+    Plan,
 }
 
 /// Why nothing is offered, where a person would look for questions.

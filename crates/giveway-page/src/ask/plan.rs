@@ -3,7 +3,7 @@
 use giveway_model::{Cost, Question, tr};
 use giveway_solve::Status;
 
-use super::{Group, Offer};
+use super::{About, Group, Offer};
 use crate::{Answer, words};
 
 pub(super) fn groups(answer: &Answer) -> Vec<Group> {
@@ -34,7 +34,7 @@ pub(super) fn groups(answer: &Answer) -> Vec<Group> {
     vec![Group {
         title: tr!("Ask about the plan").to_owned(),
         offers,
-        is_now: false,
+        about: About::Plan,
     }]
 }
 
@@ -58,6 +58,6 @@ pub(super) fn without(answer: &Answer) -> Vec<Group> {
     vec![Group {
         title: tr!("Ask").to_owned(),
         offers: vec![Offer::new("question", Question::Unsolvable)],
-        is_now: false,
+        about: About::Plan,
     }]
 }
