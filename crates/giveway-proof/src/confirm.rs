@@ -9,7 +9,8 @@ use crate::again::{Named, check_claims, check_plan, check_proof};
 use crate::bundle::{Entry, proof_files};
 use crate::conclude::{Whole, check_together, conclude};
 use crate::report::Fault;
-use crate::show::{objective, show};
+use crate::show::show;
+use crate::solved::objective;
 use crate::{Budget, Report, Solved};
 
 /// Proves everything that the solver claims within one budget, and checks it

@@ -25,6 +25,7 @@ pub mod queue;
 mod report;
 mod search;
 mod show;
+mod solved;
 mod verify;
 
 pub use bundle::{Bundle, export};
@@ -34,7 +35,7 @@ pub use confirm::confirm;
 pub use lemma::{Hint, Least, Lemma, ProvedLemma};
 pub use prove::{Outcome, prove};
 pub use report::{Certified, Checked, CheckedLemma, Report};
-pub use show::Solved;
+pub use solved::Solved;
 pub use verify::verify;
 
 /// The limits of a certificate, and its progress reports. Where a limit is reached, a claim stays without a

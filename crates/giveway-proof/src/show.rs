@@ -1,8 +1,6 @@
 //! From what a solver answered to what shows it: proofs and searches.
 
-use std::collections::BTreeMap;
-
-use giveway_model::{Cost, Instance, Objective, Plan, check};
+use giveway_model::{Cost, Instance, check};
 
 use crate::bundle::manifest::NO_PLAN;
 use crate::bundle::{Entry, Method, Missing};
@@ -10,69 +8,15 @@ use crate::exhaust::{Exhausted, least};
 use crate::lemma::{Effort, Pool};
 use crate::plain::{Cnf, NoFormula};
 use crate::search::counts;
-use crate::{Budget, Claim, Hint, Outcome, plain, prove};
+use crate::solved::claims;
+use crate::{Budget, Claim, Outcome, Solved, plain, prove};
 
 /// The bytes of the proof of a formula of all agents that is tried before lemmas.
 const SMALL_PROOF: usize = 12 << 20;
+/// The clauses of a formula of all agents beyond which further lemmas are tried first.
+const LARGE_FORMULA: usize = 2_000_000;
 /// From so many agents at a bottleneck on, a proof by clauses takes too long to try it first.
 const MANY_AT_GATE: usize = 7;
-
-/// The answer of a solver.
-#[derive(Clone, Debug)]
-pub struct Solved<'a> {
-    /// The instance, with the objective by which plans were compared.
-    pub instance: &'a Instance,
-    /// The scope of all of its claims: for the answer to a question the contrasting plans
-    /// ([`Claim::contrast`]), else all plans.
-    pub about: Claim,
-    /// The lower bounds that it proved, each given those of the costs before.
-    pub bounds: &'a BTreeMap<Cost, u32>,
-    /// Whether it proved that there is no plan.
-    pub impossible: bool,
-    /// Whether its claims hold for every horizon.
-    pub complete: bool,
-    /// Where they do not: the makespan up to which they hold, if it is known.
-    pub within: Option<u32>,
-    /// Its plan.
-    pub plan: Option<&'a Plan>,
-    /// The cores by which it raised its bounds, as guesses for [lemmas](crate::Lemma).
-    pub hints: &'a [Hint],
-}
-
-/// The objective of an instance, with the penalty where rules of the scene's own make one.
-pub(crate) fn objective(instance: &Instance) -> Objective {
-    instance.in_force(instance.objective().clone())
-}
-
-/// The claims to certify, each with the cost that it bounds; none where there is no plan.
-fn claims(solved: &Solved<'_>) -> Vec<(Option<Cost>, Claim)> {
-    if solved.impossible {
-        return vec![(None, solved.about.clone())];
-    }
-    let costs = solved
-        .plan
-        .and_then(|plan| check::costs(solved.instance, plan));
-    let mut claims = Vec::new();
-    let mut most = solved.about.most.clone();
-    for &cost in objective(solved.instance).costs() {
-        let Some(&bound) = solved.bounds.get(&cost) else {
-            break;
-        };
-        if let Some(below) = bound.checked_sub(1) {
-            let mut claim = solved.about.clone();
-            claim.most.clone_from(&most);
-            let before = claim.most.entry(cost).or_insert(below);
-            *before = below.min(*before);
-            claims.push((Some(cost), claim));
-        }
-        // Later claims are about plans that meet this bound.
-        if costs.is_some_and(|costs| costs.get(cost) != bound) {
-            break;
-        }
-        most.insert(cost, bound);
-    }
-    claims
-}
 
 /// Shows everything that the solver claims, and hands on the proofs that it
 /// takes. What cannot be shown within the budget is said not to be.
@@ -114,27 +58,28 @@ impl Showing<'_> {
             self.claims.push(Entry::Search { claim, method });
             return;
         }
+        let mut is_too_long = false;
         if let Some(cost) = cost
             && self.may_have_lemmas(&claim)
         {
-            // A small formula of all agents is shown sooner.
-            let small = Budget {
-                clauses: self.budget.clauses.min(self.budget.small_formula),
-                proof_bytes: self.budget.proof_bytes.min(SMALL_PROOF),
-                ..*self.budget
-            };
-            let entry = self.proof(name, &claim, &small).ok();
-            let entry = entry.or_else(|| self.alone(&claim));
-            if let Some(entry) = entry.or_else(|| self.lemmas(cost, &claim, Effort::Suggested)) {
-                self.claims.push(entry);
-                return;
+            match self.by_lemmas_or_less(cost, &claim) {
+                Ok(entry) => {
+                    self.claims.push(entry);
+                    return;
+                }
+                Err(why) => is_too_long = why == Missing::ProofTooLarge,
             }
         }
         if let Some(far) = claim.horizon(self.solved.instance) {
             let asked = self.solved.within.filter(|&last| last < far);
             // The makespan that the person set is mostly no part of such a claim:
             // only where a later plan would break it.
-            match (self.proof(name, &claim, self.budget), asked) {
+            let proof = if is_too_long {
+                Err(Missing::ProofTooLarge)
+            } else {
+                self.proof(name, &claim, self.budget)
+            };
+            match (proof, asked) {
                 (Err(Missing::Contradicted), Some(_)) if !self.solved.complete => {
                     let claim = claim.within(asked);
                     let entry = self.proof(name, &claim, self.budget);
@@ -143,11 +88,8 @@ impl Showing<'_> {
                 }
                 (Ok(entry), _) => self.claims.push(entry),
                 (Err(why), _) => {
-                    let further = cost.filter(|_| self.may_have_lemmas(&claim));
-                    let entry = further.and_then(|cost| self.lemmas(cost, &claim, Effort::Further));
-                    let entry = entry.or_else(|| self.search(&claim));
-                    self.claims
-                        .push(entry.unwrap_or(Entry::None { claim, why }));
+                    let entry = self.search(&claim).unwrap_or(Entry::None { claim, why });
+                    self.claims.push(entry);
                 }
             }
             return;
@@ -171,6 +113,28 @@ impl Showing<'_> {
             let why = Missing::SearchTooLarge;
             self.claims.push(Entry::None { claim, why });
         }
+    }
+
+    /// What shows a claim, by what takes least: a small formula of all agents, each agent alone, the lemmas that
+    /// the search suggests, a larger formula, further lemmas. What is shown so is the same whatever the budget,
+    /// where that is enough. Or why the larger formula has no proof.
+    fn by_lemmas_or_less(&mut self, cost: Cost, claim: &Claim) -> Result<Entry, Missing> {
+        let whole = self.budget;
+        let at_most = |clauses: usize, proof_bytes: usize| Budget {
+            clauses: whole.clauses.min(clauses),
+            proof_bytes: whole.proof_bytes.min(proof_bytes),
+            ..*whole
+        };
+        let small = at_most(whole.small_formula, SMALL_PROOF);
+        let large = at_most(LARGE_FORMULA, whole.proof_bytes);
+        let shown = self.proof(cost.name(), claim, &small).ok();
+        let shown = shown.or_else(|| self.alone(claim));
+        let shown = shown.or_else(|| self.lemmas(cost, claim, Effort::Suggested));
+        if let Some(entry) = shown {
+            return Ok(entry);
+        }
+        self.proof(cost.name(), claim, &large)
+            .or_else(|why| self.lemmas(cost, claim, Effort::Further).ok_or(why))
     }
 
     /// Whether a claim is about plans of any kind and of any makespan, about costs that are added up, and

@@ -6,7 +6,7 @@ use crate::again::{Named, check_claims, check_plan, check_proof};
 use crate::bundle::{Bundle, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::conclude::{Conclusion, Whole, check_together, conclude};
 use crate::report::Fault;
-use crate::show::objective;
+use crate::solved::objective;
 use crate::{Budget, Checked, Report};
 
 /// Checks a certificate: that its files belong together, that each formula is

@@ -58,6 +58,7 @@ pub(crate) fn certify(
 ) -> RowCertificate {
     let objective = task.objective.clone();
     let request = CertifyRequest::of_solved(instance.to_scene(), objective, answer);
+    let request = request.with_hints(answer.trace.as_ref());
     let name = NAME.to_owned();
     let request = Request::Export(ExportRequest {
         certificates: vec![Certificate { name, request }],

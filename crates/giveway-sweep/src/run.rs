@@ -20,6 +20,8 @@ pub fn run(task: &Task, loaded: &Loaded, host: &dyn Host) -> Row {
             limits: task.limits,
             // Fingerprints of certificates stay those of earlier sweeps.
             as_found: true,
+            // Its cores are guesses for lemmas.
+            trace: task.certificate.is_some(),
             ..SolveRequest::default()
         }),
         Method::Planner(planner) => Request::Plan(PlanRequest {

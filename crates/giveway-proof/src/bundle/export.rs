@@ -6,7 +6,8 @@ use giveway_model::{check, format::native};
 
 use super::{Bundle, Entry, INSTANCE, MANIFEST, Manifest, PLAN, README, fingerprint, proof_files};
 use crate::confirm::check_shown;
-use crate::show::{objective, show};
+use crate::show::show;
+use crate::solved::objective;
 use crate::{Budget, Report, Solved};
 
 /// Makes a certificate of everything that the solver claims. What cannot be
