@@ -42,7 +42,7 @@ pub(super) fn ReasonMarks(props: &ReasonsProps) -> Html {
         let (x, y) = spot.at;
         let sign = match spot.sign {
             SpotSign::Broken => None,
-            SpotSign::Needed => Some("needed"),
+            SpotSign::Reason => Some("needed"),
             SpotSign::Helps => Some("helps"),
         };
         // Numbers stay as large on the screen, however small the cells are.

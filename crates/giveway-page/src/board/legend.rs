@@ -21,8 +21,8 @@ pub enum Kind {
     Instead,
     /// A group of facts of which one would help if it went.
     Helps,
-    /// A group of facts that is needed.
-    Needed,
+    /// A group of facts that is part of a reason.
+    InReason,
     /// A fact that, with others, rules every plan out.
     Reason,
     /// The best try at a plan ends there.
@@ -85,7 +85,7 @@ impl Kind {
             Self::WouldMeet => tr!("Would meet, with the time"),
             Self::Instead => tr!("Could wait here as well"),
             Self::Helps => tr!("a sign on the board" => "Would help"),
-            Self::Needed => tr!("a sign on the board" => "Needed"),
+            Self::InReason => tr!("a sign on the board" => "Part of the reason"),
             Self::Reason => tr!("Part of the reason"),
             Self::Try => tr!("The best try ends here"),
             Self::Differs => tr!("Elsewhere in the other plan"),
@@ -129,7 +129,7 @@ impl Kind {
             Self::Later | Self::WouldMeet => "k-later",
             Self::Instead => "k-instead",
             Self::Helps => "k-helps",
-            Self::Needed => "k-needed",
+            Self::InReason => "k-needed",
             Self::Reason => "k-core",
             Self::Burst | Self::Try => "k-burst",
             Self::Differs => "k-diff",
@@ -187,7 +187,7 @@ pub fn legend(state: &State, cast: &Cast) -> Vec<Kind> {
         (Kind::WouldMeet, !reasons.later.is_empty() && is_asked),
         (Kind::Instead, !reasons.instead.is_empty()),
         (Kind::Helps, has_sign(SpotSign::Helps)),
-        (Kind::Needed, has_sign(SpotSign::Needed)),
+        (Kind::InReason, has_sign(SpotSign::Reason)),
         (Kind::Reason, !reasons.places.is_empty()),
         (Kind::Try, !reasons.tries.is_empty()),
         (Kind::Differs, state.beside().is_some()),

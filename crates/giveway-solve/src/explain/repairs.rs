@@ -12,6 +12,7 @@
 
 mod candidate;
 mod least;
+mod likewise;
 mod order;
 mod pairs;
 mod search;

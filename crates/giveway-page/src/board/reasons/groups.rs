@@ -41,7 +41,7 @@ pub(super) fn in_groups(
                 is_lit,
                 sign: match group.mark() {
                     GroupMark::Helps => SpotSign::Helps,
-                    GroupMark::Needed | GroupMark::Open => SpotSign::Needed,
+                    GroupMark::Needed | GroupMark::Open => SpotSign::Reason,
                 },
             });
         }

@@ -39,8 +39,8 @@ pub struct Spot {
 pub enum SpotSign {
     /// What would go wrong, or a fact that rules a plan out.
     Broken,
-    /// Facts that are needed: a ring.
-    Needed,
+    /// Facts that are part of a reason, needed or not: a ring.
+    Reason,
     /// Facts of which one would help if it went: full.
     Helps,
 }

@@ -1,7 +1,7 @@
 //! Edits tried, each in the whole instance.
 
 use giveway_model::{
-    Costs, Instance, check::own_costs, constraint::ConstraintKind, sorting::sort_by_key,
+    Costs, Instance, Plan, check::own_costs, constraint::ConstraintKind, sorting::sort_by_key,
 };
 
 use super::{
@@ -65,6 +65,7 @@ impl<'a> RepairSearch<'a> {
         for candidate in candidates {
             self.try_alone(candidate);
         }
+        self.leave_out_who_helps();
     }
 
     /// Whether a single edit helps; where it does, it is kept.
@@ -118,8 +119,14 @@ impl<'a> RepairSearch<'a> {
         }
         self.exhaustive &= best.proved && is_least;
         sort_by_key(&mut edits, rank);
+        let repair = self.repair(edits, is_least, best);
+        self.tried.found.push(repair);
+        outcome
+    }
+
+    pub(super) fn repair(&self, edits: Vec<Edit>, is_least: bool, best: EditedPlan) -> Repair {
         let arriving = self.broken.arriving;
-        let arrival = arriving.and_then(|name| own_costs(instance, name, &best.plan));
+        let arrival = arriving.and_then(|name| own_costs(self.broken.instance, name, &best.plan));
         let mut repair = Repair {
             edits,
             least: is_least,
@@ -130,11 +137,10 @@ impl<'a> RepairSearch<'a> {
             text: String::new(),
         };
         repair.text = words::repair(&repair, arriving);
-        self.tried.found.push(repair);
-        outcome
+        repair
     }
 
-    fn vector(&self, costs: &Costs) -> Vec<u32> {
+    pub(super) fn vector(&self, costs: &Costs) -> Vec<u32> {
         costs.vector(self.broken.objective)
     }
 
@@ -158,7 +164,12 @@ impl<'a> RepairSearch<'a> {
 
     /// The plan that is asked about without the agents that are left out, where it is as asked for.
     fn rest(&self, variant: &Variant) -> Option<EditedPlan> {
-        let mut plan = self.broken.plan?.clone();
+        self.rest_of(self.broken.plan?, variant)
+    }
+
+    /// A plan without the agents that are left out, where it is as asked for.
+    pub(super) fn rest_of(&self, plan: &Plan, variant: &Variant) -> Option<EditedPlan> {
+        let mut plan = plan.clone();
         let agents = variant.instance.agents();
         let is_there = |name: &String| agents.iter().any(|agent| agent.name == *name);
         plan.paths.retain(|name, _| is_there(name));

@@ -18,7 +18,8 @@ use crate::{
 /// best.
 struct Finds {
     proves: bool,
-    /// What its plans cost.
+    /// Its plan, and what it says that this costs.
+    plan: Plan,
     costs: Costs,
     /// Whether a known plan is as asked for.
     accepts: bool,
@@ -28,6 +29,7 @@ impl Finds {
     fn plans(proves: bool) -> Self {
         Self {
             proves,
+            plan: Plan::default(),
             costs: Costs::default(),
             accepts: false,
         }
@@ -63,7 +65,7 @@ impl Inquiry for Finds {
 impl Solver for Finds {
     fn best(&mut self, _: &Variant) -> Option<EditedPlan> {
         Some(EditedPlan {
-            plan: Plan::default(),
+            plan: self.plan.clone(),
             costs: self.costs,
             proved: self.proves,
         })
@@ -170,6 +172,49 @@ fn what_is_left_of_the_plan_is_no_worse() {
             found.first[0].costs.makespan, makespan,
             "{proves} {accepts}"
         );
+    }
+}
+
+/// Where an agent that skips a waypoint helps, leaving it out helps, at no more than the others cost then.
+#[test]
+fn who_helps_by_doing_less_helps_by_being_left_out() {
+    let instance = instance("a # A\nb . B");
+    let path = |y| (0..3).map(|x| Some(Cell::new(x, y))).collect::<Vec<_>>();
+    let plan = Plan {
+        paths: [("a".to_owned(), path(0)), ("b".to_owned(), path(1))].into(),
+        ..Plan::default()
+    };
+    let leave_out = Edit::LeaveOut {
+        agent: "a".to_owned(),
+    };
+    for asked in [&[][..], &[0]] {
+        let broken = Unsolved {
+            instance: &instance,
+            is_large: false,
+            within: None,
+            objective: instance.objective(),
+            plan: None,
+            asked,
+            arriving: None,
+            charging: None,
+            reach: crate::search::Proved::Within(4),
+            cores: vec![vec![Group::Waypoint(0, Cell::new(1, 0))]],
+            suspects: Vec::new(),
+            whole: WholePlan::default(),
+        };
+        let mut finds = Finds {
+            plan: plan.clone(),
+            accepts: true,
+            ..Finds::plans(true)
+        };
+        let found = repairs(&broken, TriedEdits::default(), &mut finds);
+        let found = found
+            .first
+            .iter()
+            .find(|it| it.edits == [leave_out.clone()]);
+        let costs = found.map(|repair| (repair.costs.makespan, repair.costs.sum_of_costs));
+        // Who is asked about stays.
+        assert_eq!(costs, asked.is_empty().then_some((2, 2)));
     }
 }
 

@@ -237,7 +237,7 @@ fn groups_of_facts_are_numbered_and_open() {
         .iter()
         .map(|it| (it.number, it.sign))
         .collect();
-    assert_eq!(signs, [(1, SpotSign::Helps), (2, SpotSign::Needed)]);
+    assert_eq!(signs, [(1, SpotSign::Helps), (2, SpotSign::Reason)]);
     assert!(
         reasons(&state).places.is_empty(),
         "numbers, not a frame at every fact"
