@@ -6,7 +6,7 @@ use giveway_model::{Cell, Grid, constraint::Heading};
 pub type Vertex = u32;
 
 /// One direction of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Arc {
     /// Its number; the two arcs of an edge are `2 e` and `2 e + 1`.
     pub id: u32,
@@ -33,7 +33,9 @@ pub struct Terrain {
     width: u32,
     cells: Vec<Cell>,
     vertices: Vec<Vertex>,
-    arcs: Vec<Vec<Arc>>,
+    /// The arcs that leave each vertex, and how many of the four places they take.
+    arcs: Vec<[Arc; 4]>,
+    degrees: Vec<u8>,
     /// From and to of each arc, by its number.
     ends: Vec<(Vertex, Vertex)>,
     chargers: Vec<bool>,
@@ -56,7 +58,8 @@ impl Terrain {
         }
         let mut terrain = Self {
             width: grid.width(),
-            arcs: vec![Vec::with_capacity(4); cells.len()],
+            arcs: vec![[Arc::default(); 4]; cells.len()],
+            degrees: vec![0; cells.len()],
             ends: Vec::new(),
             chargers: cells.iter().map(|&c| grid.is_charger(c)).collect(),
             cells,
@@ -78,9 +81,15 @@ impl Terrain {
         let Some(v) = self.vertex(cell) else { return };
         let id = self.ends.len() as u32;
         self.ends.extend([(u, v), (v, u)]);
-        self.arcs[u as usize].push(Arc { id, to: v, slow });
+        self.push(u, Arc { id, to: v, slow });
         let id = id + 1;
-        self.arcs[v as usize].push(Arc { id, to: u, slow });
+        self.push(v, Arc { id, to: u, slow });
+    }
+
+    fn push(&mut self, from: Vertex, arc: Arc) {
+        let degree = &mut self.degrees[from as usize];
+        self.arcs[from as usize][usize::from(*degree)] = arc;
+        *degree += 1;
     }
 
     /// The number of vertices.
@@ -114,7 +123,12 @@ impl Terrain {
 
     /// The arcs that leave a vertex; none leave what is no vertex any more.
     pub fn arcs(&self, v: Vertex) -> &[Arc] {
-        self.arcs.get(v as usize).map_or(&[], Vec::as_slice)
+        let degree = self.degrees.get(v as usize).copied().unwrap_or(0);
+        let arcs = self
+            .arcs
+            .get(v as usize)
+            .map(|arcs| &arcs[..usize::from(degree)]);
+        arcs.unwrap_or_default()
     }
 
     /// The arc that an agent is half way along when it is about to enter a

@@ -57,6 +57,8 @@ pub(crate) struct Budget<'h> {
     most_clauses: u64,
     /// Clauses that the SAT solver may derive: the same for its work.
     most_derived: u64,
+    /// Bytes that may be held, by its own estimate.
+    most_held: u64,
 }
 
 impl<'h> Budget<'h> {
@@ -83,6 +85,7 @@ impl<'h> Budget<'h> {
             joint_left: Cell::new(JOINT_STEPS),
             most_clauses: u64::MAX,
             most_derived: u64::MAX,
+            most_held: u64::MAX,
         }
     }
 
@@ -107,6 +110,7 @@ impl<'h> Budget<'h> {
         part.held = Rc::clone(&self.held);
         part.most_clauses = self.clauses_left();
         part.recorder.clone_from(&self.recorder);
+        part.most_held = self.most_held;
         part.most_derived = self.most_derived.saturating_sub(self.derived.get());
         part.joint_given = self.joint_left.get().min(PART_JOINT_STEPS);
         part.joint_left.set(part.joint_given);
@@ -122,6 +126,12 @@ impl<'h> Budget<'h> {
     /// The same budget with a limit of clauses that may be written.
     pub(crate) fn with_clauses(mut self, clauses: u64) -> Self {
         self.most_clauses = self.most_clauses.min(clauses);
+        self
+    }
+
+    /// The same budget with a limit of bytes that may be held beside those that are held already.
+    pub(crate) fn with_held(mut self, bytes: u64) -> Self {
+        self.most_held = self.most_held.min(self.held.get().saturating_add(bytes));
         self
     }
 
@@ -159,7 +169,7 @@ impl<'h> Budget<'h> {
     fn is_too_large(&self) -> bool {
         let most = self.limits.memory_bytes.unwrap_or(DEFAULT_MEMORY);
         let size = self.host.memory_bytes();
-        self.held.get() > most || size > most.max(self.memory_start)
+        self.held.get() > most.min(self.most_held) || size > most.max(self.memory_start)
     }
 
     /// Whether the search runs on the second SAT solver.

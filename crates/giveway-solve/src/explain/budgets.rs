@@ -11,6 +11,8 @@ const DERIVED_EACH: u64 = 8_000;
 const CLAUSES_EACH: u64 = 500_000;
 /// Joint steps that it may look at.
 const JOINT_STEPS_EACH: u64 = 150_000;
+/// Bytes that it may hold: as many as the formula of so many clauses takes.
+const HELD_EACH: u64 = 200_000_000;
 /// So many times the work of a search, where it is made again.
 const AGAIN: u64 = 10;
 /// A brief search may derive so small a part of the clauses.
@@ -23,7 +25,8 @@ pub(crate) fn one_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
         budget
             .part(Limits::default())
             .with_derived(DERIVED_EACH)
-            .with_work(clauses, JOINT_STEPS_EACH),
+            .with_work(clauses, JOINT_STEPS_EACH)
+            .with_held(HELD_EACH),
     )
 }
 
@@ -35,7 +38,8 @@ pub(crate) fn brief_search<'h>(budget: &Budget<'h>) -> Rc<Budget<'h>> {
         budget
             .part(Limits::default())
             .with_derived(DERIVED_EACH / BRIEFLY)
-            .with_work(clauses, JOINT_STEPS_EACH),
+            .with_work(clauses, JOINT_STEPS_EACH)
+            .with_held(HELD_EACH),
     )
 }
 
