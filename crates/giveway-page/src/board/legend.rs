@@ -85,7 +85,7 @@ impl Kind {
             Self::WouldMeet => tr!("Would meet, with the time"),
             Self::Instead => tr!("Could wait here as well"),
             Self::Helps => tr!("a sign on the board" => "Would help"),
-            Self::InReason => tr!("a sign on the board" => "Part of the reason"),
+            Self::InReason => tr!("A group of the reason"),
             Self::Reason => tr!("Part of the reason"),
             Self::Try => tr!("The best try ends here"),
             Self::Differs => tr!("Elsewhere in the other plan"),
