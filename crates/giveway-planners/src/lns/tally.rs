@@ -13,12 +13,23 @@ use crate::{
 /// The costs of each agent, and of all.
 pub(super) struct PlanCosts {
     own: Vec<Costs>,
-    /// The sums of all; the makespan is in `arrivals`.
-    sums: Costs,
+    /// The sums of all.
+    sums: Sums,
     /// The arrival of each agent, in time steps.
     arrivals: BTreeSet<(u32, AgentId)>,
     /// The agents that arrive later than they would alone, with how much later.
     delays: BTreeSet<(u32, AgentId)>,
+}
+
+/// Costs that are added up over agents; weights of rules may be so large that a sum is beyond what
+/// [`Costs`] can say.
+#[derive(Default)]
+struct Sums {
+    sum_of_costs: u64,
+    charges: u64,
+    moves: u64,
+    waits: u64,
+    penalty: u64,
 }
 
 impl PlanCosts {
@@ -26,7 +37,7 @@ impl PlanCosts {
     pub(super) fn new(problem: &Problem, walks: &[Walk]) -> Self {
         let mut tally = Self {
             own: vec![Costs::default(); walks.len()],
-            sums: Costs::default(),
+            sums: Sums::default(),
             arrivals: BTreeSet::new(),
             delays: BTreeSet::new(),
         };
@@ -60,16 +71,22 @@ impl PlanCosts {
             (&mut sums.waits, old.waits, costs.waits),
             (&mut sums.penalty, old.penalty, costs.penalty),
         ] {
-            *sum = *sum - old + new;
+            *sum = *sum - u64::from(old) + u64::from(new);
         }
     }
 
     /// The costs of all.
     pub(super) fn all(&self) -> Costs {
         let makespan = self.arrivals.last().map_or(0, |&(arrival, _)| arrival);
+        let said = |sum: u64| u32::try_from(sum).unwrap_or(u32::MAX);
+        let sums = &self.sums;
         Costs {
             makespan,
-            ..self.sums
+            sum_of_costs: said(sums.sum_of_costs),
+            charges: said(sums.charges),
+            moves: said(sums.moves),
+            waits: said(sums.waits),
+            penalty: said(sums.penalty),
         }
     }
 
