@@ -185,7 +185,8 @@ impl<'a> RepairSearch<'a> {
             return None;
         }
         let variant = edited(self.broken.instance, edits, within, self.broken.whole);
-        let plan = self.broken.plan;
+        // With few agents a search decides as soon, and there are many pairs to try.
+        let plan = self.broken.plan.filter(|_| self.broken.is_large);
         let near = plan.and_then(|plan| self.solver.near_to(plan, &variant));
         let tried = near.map_or_else(|| self.search(&variant), Tried::Plan);
         match tried.reaching(&variant, self.broken.reach) {
