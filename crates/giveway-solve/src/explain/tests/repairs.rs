@@ -1,6 +1,6 @@
 //! What would help, by a solver that says as little as is told to it.
 
-use giveway_model::{Cell, Costs, Plan};
+use giveway_model::{Cell, Costs, Instance, Plan};
 
 use super::{contrast::explain, read};
 use crate::{
@@ -133,16 +133,21 @@ fn without_a_known_set_edits_of_suspects_are_tried() {
     assert!(!found.exhaustive && found.further == 0);
 }
 
-/// Where the plan that is found is not proved to be the best, and what is left of the plan that is
-/// asked about costs less, it is that.
-#[test]
-fn what_is_left_of_the_plan_is_no_worse() {
-    let instance = instance("a # A\nb . B");
+/// Two agents, each of which drives along its row, `a` through an obstacle.
+fn two_rows() -> (Instance, Plan) {
     let path = |y| (0..3).map(|x| Some(Cell::new(x, y))).collect::<Vec<_>>();
     let plan = Plan {
         paths: [("a".to_owned(), path(0)), ("b".to_owned(), path(1))].into(),
         ..Plan::default()
     };
+    (instance("a # A\nb . B"), plan)
+}
+
+/// Where the plan that is found is not proved to be the best, and what is left of the plan that is
+/// asked about costs less, it is that.
+#[test]
+fn what_is_left_of_the_plan_is_no_worse() {
+    let (instance, plan) = two_rows();
     let dear = Costs {
         makespan: 9,
         ..Costs::default()
@@ -178,12 +183,7 @@ fn what_is_left_of_the_plan_is_no_worse() {
 /// Where an agent that skips a waypoint helps, leaving it out helps, at no more than the others cost then.
 #[test]
 fn who_helps_by_doing_less_helps_by_being_left_out() {
-    let instance = instance("a # A\nb . B");
-    let path = |y| (0..3).map(|x| Some(Cell::new(x, y))).collect::<Vec<_>>();
-    let plan = Plan {
-        paths: [("a".to_owned(), path(0)), ("b".to_owned(), path(1))].into(),
-        ..Plan::default()
-    };
+    let (instance, plan) = two_rows();
     let leave_out = Edit::LeaveOut {
         agent: "a".to_owned(),
     };
